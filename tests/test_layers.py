@@ -2,7 +2,7 @@
 """The architecture, enforced: imports point one way, modules stay small, nothing that changes lives in a module.
 
 source ── ir ── frontends
-          domain ── effects ── naming ── models ── engine ── deployment ── analysis ── pipeline ── cli, server
+          domain ── effects ── naming ── models ── engine ── deployment ── analysis ── pipeline ── cli, server, surveying
           ros ── network ── influence, policies ── enclaves, audit, diff ── explanation ── outputs ──┘
 """
 
@@ -29,6 +29,7 @@ _RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "influence", "s
 ALLOWED: Final[dict[str, frozenset[str]]] = {
     "holes": frozenset(),
     "safe": frozenset(),
+    "confined": frozenset(),
     "records": frozenset(),
     "source": _TEXT | {"_version"},
     "findings": _TEXT,
@@ -70,16 +71,26 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
             "declaring",
             "deployment",
             "git",
+            "lsp",
             "outputs",
             "pipeline",
             "result",
             "server",
+            "surveying",
             "_version",
         }
     )
     | _RESULT,
-    "server": frozenset({"server", "analysis", "deployment", "outputs", "pipeline", "_version"}) | _RESULT | _ENGINE,
-    "__init__": frozenset({"pipeline", "_version", "network"}) | _ENGINE,
+    "surveying": frozenset(
+        {"surveying", "confined", "deployment", "network", "outputs", "pipeline", "result", "ros", "_version"}
+    )
+    | _TEXT,
+    "server": frozenset({"server", "confined", "analysis", "deployment", "outputs", "pipeline", "_version"})
+    | _RESULT
+    | _ENGINE,
+    "lsp": frozenset({"lsp", "analysis", "deployment", "network", "pipeline", "result", "suppression", "_version"})
+    | _ENGINE,
+    "__init__": frozenset({"pipeline", "_version", "network", "surveying"}) | _ENGINE,
     "__main__": frozenset({"cli"}),
     "ros2_security": frozenset({"cli"}),
     "_version": frozenset(),
@@ -107,6 +118,12 @@ ON_DEMAND: Final = {
     ("source/discover.py", "rosward.source.packages"),
     ("deployment/given.py", "rosward.deployment.parameter_files"),
     ("outputs/report/page.py", "rosward.outputs.report.frame"),
+    ("surveying/one.py", "rosward.deployment.request"),
+    ("surveying/one.py", "rosward.guard"),
+    ("surveying/one.py", "rosward.pipeline"),
+    ("surveying/one.py", "rosward.rules"),
+    ("surveying/one.py", "rosward.surveying.rows"),
+    ("surveying/run.py", "rosward.surveying.tables"),
 }
 """What is imported in a function because most runs do not need it."""
 

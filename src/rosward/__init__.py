@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
     from rosward.rules import Rule, Severity
     from rosward.source.location import Place
+    from rosward.surveying.executing import LostExecutorError
+    from rosward.surveying.run import Survey, SurveyError, survey
 
 __all__ = [
     "Action",
@@ -33,6 +35,7 @@ __all__ = [
     "Entity",
     "EntityKind",
     "Finding",
+    "LostExecutorError",
     "Network",
     "Node",
     "NothingToReadError",
@@ -46,11 +49,14 @@ __all__ = [
     "Rule",
     "Service",
     "Severity",
+    "Survey",
+    "SurveyError",
     "Topic",
     "UnknownRequestError",
     "__version__",
     "by_cause",
     "extract",
+    "survey",
 ]
 
 _WHERE: Final = {
@@ -59,6 +65,7 @@ _WHERE: Final = {
     "Entity": "rosward.ros.entities",
     "EntityKind": "rosward.ros.entities",
     "Finding": "rosward.findings",
+    "LostExecutorError": "rosward.surveying.executing",
     "Network": "rosward.network.graph",
     "Node": "rosward.ros.entities",
     "NothingToReadError": "rosward.pipeline",
@@ -72,10 +79,13 @@ _WHERE: Final = {
     "Rule": "rosward.rules",
     "Service": "rosward.network.graph",
     "Severity": "rosward.rules",
+    "Survey": "rosward.surveying.run",
+    "SurveyError": "rosward.surveying.run",
     "Topic": "rosward.network.graph",
     "UnknownRequestError": "rosward.pipeline",
     "by_cause": "rosward.one_cause",
     "extract": "rosward.pipeline",
+    "survey": "rosward.surveying.run",
 }
 
 

@@ -29,6 +29,7 @@ from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.enclaves.size import size_findings
 from rosward.engine.budget import Budget
+from rosward.engine.remembered import Memory, remembering
 from rosward.findings import Finding, Findings
 from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
@@ -50,7 +51,19 @@ from rosward.source.workspace import SkipReason, SourceFile
 if TYPE_CHECKING:
     from rosward.cache.store import Store
 
-__all__ = ["Budget", "NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
+__all__ = [
+    "Budget",
+    "Memory",
+    "NothingToReadError",
+    "Progress",
+    "RequestError",
+    "Result",
+    "UnknownRequestError",
+    "extract",
+    "of_read",
+    "remembering",
+]
+
 
 NO_ARGUMENTS: Final[Mapping[str, str]] = MappingProxyType({})
 
@@ -163,6 +176,17 @@ def extract(
         budget=(budget or Budget()).factor,
     )
     return replace(result, network=replace(result.network, asked=asked))
+
+
+def of_read(read: SourcesRead, request: Request, progress: Progress = silent, *, assumed: bool = True) -> Result:
+    """What a request starts of sources that are read: for those who ask several of them. The caller has the deep stack.
+
+    Raises UnknownRequestError where what is to be started is not there.
+    """
+    mode = EnclaveMode.PROCESS if request.deploys else EnclaveMode.NODE
+    return _extract(
+        read, request, "deny", _Enclaves(mode, NOTHING_ASSIGNED), progress, assumed=assumed, jobs=1, store=None
+    )
 
 
 def _chosen_enclaves(mode: EnclaveMode, assigned: Assignment, root: Path) -> str:

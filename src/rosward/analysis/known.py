@@ -17,10 +17,8 @@ from rosward.analysis.models_state import stub_name
 from rosward.analysis.outcome_form import ENTRY, OUTCOME, QUESTIONS, configuration_form
 from rosward.cache.codec import MalformedError, loaded, text
 from rosward.domain.values import ModuleValue
-from rosward.engine.declared import MODEL_PREFIX
+from rosward.engine.remembered import ask, depends_on_the_machine
 from rosward.engine.written import NotWrittenError
-from rosward.models.ros.interfaces import message_name
-from rosward.rules import INTERNAL_ERROR, KILLED, TIME_LIMIT
 from rosward.source import disk
 
 if TYPE_CHECKING:
@@ -28,10 +26,8 @@ if TYPE_CHECKING:
 
     from rosward.analysis.outcome import Outcome, Outset, Task
     from rosward.analysis.read import SourcesRead
-    from rosward.analysis.source_tree import SourceTree
     from rosward.cache.store import Store
     from rosward.engine.reads import Question
-    from rosward.findings import Finding
 
 __all__ = ["Known"]
 
@@ -70,7 +66,7 @@ class Known:
 
     def done(self, task: Task, questions: tuple[Question, ...], outcome: Outcome) -> None:
         """A process was run: it is to be kept."""
-        if not any(map(_depends_on_the_machine, outcome.findings)):
+        if not any(map(depends_on_the_machine, outcome.findings)):
             question = self._question(task)
             if question is not None:
                 self._done.append((question, questions, outcome))
@@ -128,45 +124,10 @@ class Known:
         known = self._answers
         parts: list[bytes] = []
         for question in questions:
+            if question[0] == "model":
+                continue  # which models there are, is a part of how a process is run
             answer = known.get(question)
             if answer is None:
-                answer = known[question] = repr(_ask(self._read.sources, question)).encode("utf-8", "surrogatepass")
+                answer = known[question] = repr(ask(self._read.sources, question)).encode("utf-8", "surrogatepass")
             parts += (b"%d " % len(answer), answer)
         return disk.digest(b"".join(parts))
-
-
-def _depends_on_the_machine(finding: Finding) -> bool:
-    return finding.code == INTERNAL_ERROR or (
-        finding.code == "RW201" and any(each in finding.message for each in (KILLED, TIME_LIMIT))
-    )
-
-
-_OF_FILES: Final = frozenset({"is_file", "is_folder", "listing", "read"})
-_OF_SOURCES: Final = frozenset(
-    {"belongs", "find", "in_folder", "interface_has", "is_of", "leads_out", "named", "python_package", "shared"}
-)
-
-
-def _ask(sources: SourceTree, question: Question) -> object:
-    """The answer to a question, as plain values. Raises TypeError or ValueError for one that has no meaning."""
-    name, *rest = question
-    if name in _OF_SOURCES:
-        return getattr(sources, str(name))(*rest)
-    if name in _OF_FILES:
-        return getattr(sources.files, str(name))(*rest)
-    if name == "model":
-        return ""  # which models there are, is a part of how a process is run
-    if name == "module":
-        return "" if str(rest[0]).startswith(MODEL_PREFIX) else sources.content(str(rest[0]))
-    if name == "program":
-        found = sources.program(str(rest[0]))
-        return "" if found is None else found.digest
-    if name == "interface_definition":
-        return sources.interface_definition(*_named(rest))  # type: ignore[arg-type]
-    raise ValueError(name)
-
-
-def _named(rest: list[str | int]) -> tuple[str | int, ...]:
-    """Package, kind, name and part of an interface: a process may ask by the dotted name of its class."""
-    from_name = message_name(str(rest[0])) if len(rest) == 1 else tuple(rest)
-    return ("", "msg", "", "") if from_name is None else from_name

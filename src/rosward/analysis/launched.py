@@ -18,6 +18,7 @@ from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.outcome import Outcome, Task
 from rosward.analysis.outcome import Outset as ProcessOutset
 from rosward.analysis.plan import Plan
+from rosward.analysis.process import how_started
 from rosward.analysis.read import EVERYTHING, Progress, SourcePath, SourcesRead, read_sources
 from rosward.analysis.runner import Runner
 from rosward.analysis.seen import note_variables
@@ -266,13 +267,7 @@ class _Tasks:
         return _Started(program, None, log, tuple(map(self.of, loaded)))
 
     def _task(self, entry: Entry, configuration: Configuration) -> Task:
-        key = (
-            entry,
-            configuration.words,
-            configuration.component,
-            tuple(sorted(configuration.files.items(), key=lambda item: item[0])),
-            tuple(sorted(configuration.environment.items(), key=lambda item: item[0])),
-        )
+        key = (entry, *how_started(configuration))
         return self._tasks.setdefault(key, Task(entry, configuration))
 
 

@@ -23,7 +23,8 @@ from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
-from rosward.engine.reads import Reads
+from rosward.engine.reads import Question, Reads
+from rosward.engine.remembered import depends_on_the_machine
 from rosward.engine.shared import Shared
 from rosward.findings import Finding
 from rosward.guard import internal_error
@@ -57,7 +58,33 @@ class Run(NamedTuple):
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
-    """Interpret one process to its end, and everything that it schedules, as the configuration starts it."""
+    """Interpret one process to its end, and everything that it schedules, as the configuration starts it; or remember what it did."""
+    memory = library.memory
+    if memory is None:
+        return _run(library, entry, budget, configuration)
+
+    def now() -> tuple[Run, tuple[Question, ...] | None]:
+        found = _run(library, entry, budget, configuration)
+        failed = found.reads is None or any(map(depends_on_the_machine, found.log.findings))
+        return found, None if failed or found.reads is None else found.reads.questions
+
+    found: Run = memory.run((entry, budget, how_started(configuration)), library.plain_sources, now)
+    return found
+
+
+def how_started(configuration: Configuration | None) -> tuple[object, ...]:
+    """What tells one way of starting a program from another."""
+    if configuration is None:
+        return ()
+    return (
+        configuration.words,
+        configuration.component,
+        tuple(sorted(configuration.files.items(), key=lambda item: item[0])),
+        tuple(sorted(configuration.environment.items(), key=lambda item: item[0])),
+    )
+
+
+def _run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
     with library.reading() as reading:
         found = _interpret(library, entry, budget, configuration)
     variables = tuple(sorted(found.log.variables.read))

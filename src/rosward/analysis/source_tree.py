@@ -12,6 +12,7 @@ from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.summary import Creation, Summary, creations_of, main_calls
 from rosward.effects.entry import Entry
 from rosward.engine.found import FoundModule
+from rosward.engine.remembered import Lowered, memory_here
 from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
@@ -55,6 +56,7 @@ class SourceTree:
         self.files = Installed(workspace, underlays)
         self.findings = Findings() if compiled is None else compiled.findings
         self._net = net
+        self._memory = memory_here()
         self.python_files: dict[str, int] = {}
         """The Python files that were read, and how many lines each has."""
         self._resolver = ImportResolver(workspace)
@@ -146,6 +148,24 @@ class SourceTree:
         return None if self._compiled is None else self._compiled.plugin(name)
 
     def _read(self, path: Path, file: str) -> Module | None:
+        if self._memory is None:
+            return self._lower_here(path, file)
+        own = self._memory.lowered(file, self.content(file), partial(self._lower_apart, path, file))
+        self.findings.update(own.findings)
+        if own.lines:
+            self.python_files[file] = own.lines
+        return own.module
+
+    def _lower_apart(self, path: Path, file: str) -> Lowered:
+        """The file, and what is told of it alone."""
+        findings, self.findings = self.findings, Findings()
+        try:
+            module = self._lower_here(path, file)
+            return Lowered(module, tuple(self.findings), self.python_files.get(file, 0))
+        finally:
+            self.findings = findings
+
+    def _lower_here(self, path: Path, file: str) -> Module | None:
         found = guarded(lambda: self._lower(path, file), Place(file), "the file was not analysed", net=self._net)
         if isinstance(found, Finding):
             self.findings.add(found)

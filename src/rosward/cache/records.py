@@ -27,7 +27,7 @@ from rosward.network.asked import Asked, LaunchAsked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Qos, Resolution
-from rosward.ros.flows import End, NodeCallback, NodeFlows, NodeSink
+from rosward.ros.flows import End, NodeCall, NodeCallback, NodeFlows, NodeSink
 from rosward.rules import RULES
 from rosward.source.location import Place
 
@@ -62,6 +62,7 @@ ENTITY: Final = record(
 PARAMETER: Final = record(Parameter, name=TEXT, type=maybe(TEXT), default=PLAIN, value=PLAIN, declared_at=maybe(PLACE))
 END: Final = record(End, TEXT, TEXT)
 _ENDS: Final = sequence(END)
+CALL: Final = record(NodeCall, PLACES, _ENDS, _ENDS, _ENDS)  # through, data, control, trigger
 SINK: Final = record(
     NodeSink,
     sink=END,
@@ -71,6 +72,7 @@ SINK: Final = record(
     trigger=_ENDS,
     assumed=_ENDS,
     paths=sequence(pair(END, PLACES)),
+    calls=sequence(CALL),
 )
 _SINKS: Final = sequence(SINK)
 CALLBACK: Final = record(

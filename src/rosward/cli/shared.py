@@ -92,15 +92,7 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         help="also use the folders of AMENT_PREFIX_PATH as underlays",
     )
     add_environment(parser)
-    parser.add_argument("--tests", action="store_true", help="also read test files")
-    parser.add_argument(
-        "--exclude",
-        action="append",
-        type=_pattern,
-        default=[],
-        metavar="PATTERN",
-        help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
-    )
+    add_selection(parser)
     parser.add_argument("--follow-links", action="store_true", help="follow symbolic links that lead out of the PATHs")
     parser.add_argument(
         "--no-assumed",
@@ -125,6 +117,19 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
     add_cache(parser)
     parser.add_argument(
         "--no-config", action="store_true", help="ignore rosward.toml and pyproject.toml of the sources"
+    )
+
+
+def add_selection(parser: argparse._ActionsContainer) -> None:
+    """Which files of the sources are read."""
+    parser.add_argument("--tests", action="store_true", help="also read test files")
+    parser.add_argument(
+        "--exclude",
+        action="append",
+        type=_pattern,
+        default=[],
+        metavar="PATTERN",
+        help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
     )
 
 

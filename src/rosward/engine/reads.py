@@ -82,6 +82,11 @@ class RecordedSources:
         self._note("module", file)
         return self._sources.module(file)
 
+    def content(self, file: str) -> str:
+        """See `Sources`."""
+        self._note("content", file)
+        return self._sources.content(file)
+
     def program(self, name: str) -> Symbols | None:
         """See `Sources`. What its files become for it is noted with it."""
         found = self._sources.program(name)

@@ -19,7 +19,7 @@ TYPE_CHECKING = False  # neither typing nor pathlib: a command that says again w
 if TYPE_CHECKING:
     from typing import Final
 
-__all__ = ["write_bytes", "write_text"]
+__all__ = ["WholeFile", "write_bytes", "write_text"]
 
 _MARK: Final = ".rosward-"
 _ABANDONED: Final = 3_600.0
@@ -34,6 +34,43 @@ def write_text(folder: str, name: str, text: str) -> str:
 
 def write_bytes(folder: str, name: str, content: bytes) -> str:
     """The same with what is no text, or is one as it stands in the file."""
+    with WholeFile(folder, name) as file:
+        file.target.write(content)
+    return file.path
+
+
+class WholeFile:
+    """A file to write to, which is at its place when the block ends, and never is if that raises. Raises OSError."""
+
+    def __init__(self, folder: str, name: str) -> None:
+        place, self.path = _place(folder, name)
+        self._temporary = os.path.join(place, f"{_MARK}{os.urandom(8).hex()}")  # noqa: PTH118
+        self.target = os.fdopen(os.open(self._temporary, _WRITING, 0o600), "wb")
+
+    def __enter__(self) -> WholeFile:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        try:
+            self.target.close()
+            if kind is None:
+                os.chmod(self._temporary, 0o644)  # noqa: PTH101
+                os.replace(self._temporary, self.path)  # noqa: PTH105
+        except BaseException:
+            self._remove()
+            raise
+        if kind is not None:
+            self._remove()
+
+    def _remove(self) -> None:
+        try:  # noqa: SIM105
+            os.unlink(self._temporary)  # noqa: PTH108
+        except OSError:
+            pass
+
+
+def _place(folder: str, name: str) -> tuple[str, str]:
+    """The folder of a file, which is made, and its path."""
     parts = [part for part in name.split("/") if part not in ("", ".")]
     if not parts or name.startswith("/") or ".." in parts or "\0" in name:
         raise OSError(errno.EINVAL, f"{name!r} is no file below a folder")
@@ -50,8 +87,7 @@ def write_bytes(folder: str, name: str, content: bytes) -> str:
             raise OSError(errno.ELOOP, f"{place} is a symbolic link, which is not followed", place)
     _tidy(place)
     path = os.path.join(place, parts[-1]) if place != "." else parts[-1]  # noqa: PTH118
-    _replace(path, place, content)
-    return path
+    return place, path
 
 
 def _tidy(folder: str) -> None:
@@ -66,19 +102,3 @@ def _tidy(folder: str) -> None:
                         os.unlink(entry.path)  # noqa: PTH108
     except OSError:  # somebody else has taken it away
         pass
-
-
-def _replace(path: str, folder: str, content: bytes) -> None:
-    temporary = os.path.join(folder, f"{_MARK}{os.urandom(8).hex()}")  # noqa: PTH118
-    handle = os.open(temporary, _WRITING, 0o600)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        os.chmod(temporary, 0o644)  # noqa: PTH101
-        os.replace(temporary, path)  # noqa: PTH105
-    except BaseException:
-        try:  # noqa: SIM105
-            os.unlink(temporary)  # noqa: PTH108
-        except OSError:
-            pass
-        raise

@@ -22,6 +22,7 @@ from typing import Final, final
 
 from rosward.records import NamedTuple
 from rosward.source import same
+from rosward.source.overlay import shown_instead
 from rosward.source.same import FILE, FOLDER, kind_of, mark_of
 
 __all__ = [
@@ -213,9 +214,10 @@ def head(path: str, length: int) -> bytes:
     trace = _WATCHED_BY.get()
     try:
         with open(path, "rb") as file:  # noqa: PTH123
-            if trace is not None:
+            shown = shown_instead(path)
+            if trace is not None and shown is None:
                 trace.mark(path, os.fstat(file.fileno()))
-            data = file.read(length)
+            data = file.read(length) if shown is None else shown[:length]
     except OSError as error:
         if trace is not None:
             trace.note(f"head {length}", path, f"!{error.strerror}")
@@ -239,6 +241,9 @@ def _told(found: bytes | Unread) -> str:
 
 
 def _read(path: str | os.PathLike[str], limit: int) -> bytes | Unread:
+    shown = shown_instead(path)
+    if shown is not None:
+        return shown if len(shown) <= limit else Unread(f"The file is larger than {limit:,} bytes.", too_large=True)
     try:
         kind = _not_regular(os.stat(path))  # noqa: PTH116
         if kind:
