@@ -20,7 +20,7 @@ from rosward.cli.command_line import command_line
 pytestmark = pytest.mark.usefixtures("remembered")
 
 PAGES = [page for page in pages() if runs_of(page.read_text(encoding="utf-8"))]
-SHOWN_OTHERWISE = {"serve"}
+SHOWN_OTHERWISE = {"lsp", "serve", "watch"}
 """Commands that do not end by themselves."""
 
 

@@ -122,16 +122,16 @@ def test_a_thousand_nodes_with_any_name() -> None:
 @pytest.mark.parametrize(
     ("table", "why"),
     [
-        ({"rules": []}, "tables"),
-        ({"rule": [{"from": ["/a"]}]}, "either `from` and `not-to`"),
-        ({"rule": [{"from": ["/a"], "not-to": ["/b"], "to": ["/c"]}]}, "either `from` and `not-to`"),
-        ({"rule": [{"from": [1], "not-to": ["/b"]}]}, "list of names in `from`"),
-        ({"rule": [{"from": ["/a"], "not-to": ["colour:/b"]}]}, "'colour' in `not-to` is no kind"),
-        ({"rule": [{"from": ["/a"], "not-to": ["/b"], "by": "magic"}]}, "`by` one of"),
-        ({"rule": [{"from": ["/a"], "not-to": ["/b"], "colour": 1}]}, "without 'colour'"),
-        ({"rule": [{"name": "x", "from": ["/a"], "not-to": ["/b"]}] * 2}, "two rules of the name 'x'"),
-        ({"release": [{"through": ["/a"], "of": ["/b"]}]}, "`because`"),
-        ({"release": [{"through": ["/a"], "because": "x"}]}, "`through` and `of`"),
+        ({"rules": []}, "only the tables"),
+        ({"rule": [{"from": ["/a"]}]}, "needs either `from` and `not-to`"),
+        ({"rule": [{"from": ["/a"], "not-to": ["/b"], "to": ["/c"]}]}, "needs either `from` and `not-to`"),
+        ({"rule": [{"from": [1], "not-to": ["/b"]}]}, "needs a list of names in `from`"),
+        ({"rule": [{"from": ["/a"], "not-to": ["colour:/b"]}]}, "'colour' in `not-to` is not a kind"),
+        ({"rule": [{"from": ["/a"], "not-to": ["/b"], "by": "magic"}]}, "`by` must be one of"),
+        ({"rule": [{"from": ["/a"], "not-to": ["/b"], "colour": 1}]}, "has no key 'colour'"),
+        ({"rule": [{"name": "x", "from": ["/a"], "not-to": ["/b"]}] * 2}, "two flow rules are called 'x'"),
+        ({"release": [{"through": ["/a"], "of": ["/b"]}]}, "through /a needs `because`"),
+        ({"release": [{"through": ["/a"], "because": "x"}]}, "needs `through` and `of`"),
     ],
 )
 def test_a_rule_that_nobody_can_follow(table: dict[str, object], why: str) -> None:

@@ -101,11 +101,12 @@ def test_a_full_disk_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
 COMPUTING = """
 import re, sys
 from rosward.server import worker
+from rosward.server.limits import Limits
 def analyse(job, teller):
     print("computing", file=sys.stderr, flush=True)
     re.match("(a*)*b", "a" * 60)  # which has the interpreter for itself, for longer than anybody waits
 worker.analyse = analyse
-worker.read_job = lambda line: type("Job", (), {"limits": worker.Limits()})
+worker.read_job = lambda line: type("Job", (), {"limits": Limits()})
 worker.main()
 """
 

@@ -14,10 +14,9 @@ from rosward.domain.compound import External
 from rosward.domain.values import Class, Unknown, Value
 from rosward.effects.log import EffectLog
 from rosward.effects.variables import Variables
-from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.escape import name_of
 from rosward.engine.shared import Shared
-from rosward.ir.program import OpKey
+from rosward.ir.program import MODEL_PREFIX, OpKey
 from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
 from rosward.source.standard_library import STANDARD_LIBRARY

@@ -14,11 +14,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from rosward.analysis.seen import Seen
-from rosward.engine.declared import MODEL_PREFIX
 from rosward.findings import Finding, Findings
 from rosward.ir.cpp import InvokeMember, MakeLambda, Name
 from rosward.ir.op import Op, walk
-from rosward.ir.program import Code, OpKey
+from rosward.ir.program import MODEL_PREFIX, Code, OpKey
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

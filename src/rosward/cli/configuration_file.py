@@ -13,7 +13,7 @@ from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Final
 
-from rosward.cli.configuration_keys import KEYS, Value, WrongValueError
+from rosward.cli.configuration_keys import KEYS, Value, WrongTableError, WrongValueError
 from rosward.cli.shared import WrongUseError
 from rosward.findings import Finding
 from rosward.records import NamedTuple
@@ -93,6 +93,8 @@ def _values(table: Mapping[str, object], path: Path) -> dict[str, Value]:
             values[key] = KEYS[key].read(value, path.parent)
         except WrongValueError as error:
             raise WrongUseError(f"{path}: {key} must be {error}") from error
+        except WrongTableError as error:
+            raise WrongUseError(f"{path}: {error}") from error
     return values
 
 

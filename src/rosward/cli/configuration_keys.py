@@ -25,7 +25,7 @@ from rosward.suppression.ignore_in import IgnoreIn
 if TYPE_CHECKING:
     from rosward.influence.policy import Policy
 
-__all__ = ["KEYS", "NEVER", "Key", "Value", "WrongValueError"]
+__all__ = ["KEYS", "NEVER", "Key", "Value", "WrongTableError", "WrongValueError"]
 
 Value: TypeAlias = "str | bool | list[str] | list[tuple[str, str]] | list[Exclusion] | list[IgnoreIn] | Policy"
 Reader: TypeAlias = "Callable[[object, Path], Value]"
@@ -33,6 +33,10 @@ Reader: TypeAlias = "Callable[[object, Path], Value]"
 
 class WrongValueError(Exception):
     """A value of the wrong kind; the message says which is right."""
+
+
+class WrongTableError(Exception):
+    """Something is wrong inside of a table; the message is a sentence about it."""
 
 
 class Key(NamedTuple):
@@ -148,7 +152,7 @@ def _flow(value: object, _folder: Path) -> Policy:
     try:
         return read_policy(value)
     except PolicyError as error:
-        raise WrongValueError(str(error)) from error
+        raise WrongTableError(str(error)) from error
 
 
 def _variables(value: object, _folder: Path) -> list[tuple[str, str]]:

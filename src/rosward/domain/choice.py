@@ -41,13 +41,19 @@ def _members(value: Value) -> frozenset[Value]:
 
 def join(left: Value, right: Value) -> Value:
     """The least value that covers both."""
-    if left is right or left == right:
+    if left is right or right is UNBOUND:
         return left
     if left is UNBOUND:
         return right
-    if right is UNBOUND:
+    if left.__class__ is Unknown and right.__class__ is Unknown:
+        return _join_unknown(left, right)
+    if left == right:
         return left
     if left.__class__ is Choice:  # most joins are of what is known already
+        if right.__class__ is Unknown and len(left.options) <= MAX_NUMBERS and left.options[-1].__class__ is Unknown:
+            before = left.options[-1]
+            both = _join_unknown(before, right)
+            return left if both is before else Choice((*left.options[:-1], both))
         new = [o for o in options(right) if o not in left.members]
         if not new:
             return left
@@ -55,7 +61,16 @@ def join(left: Value, right: Value) -> Value:
             last = left.options[-1]
             found = (*left.options[:-1], *new, last) if last.__class__ is Unknown else (*left.options, *new)
             return _bounded(found) if len(found) > MAX_NUMBERS else Choice(found)
+    elif right.__class__ is not Choice:
+        if left.__class__ is Const and right.__class__ is Const and _are_alike(left, right):
+            return Const(left.value, left.origins | right.origins)
+        return Choice((right, left) if left.__class__ is Unknown else (left, right))
     return join_all((*options(left), *options(right)))
+
+
+def _are_alike(left: Const, right: Const) -> bool:
+    """Whether two constants are one value, of whatever origins."""
+    return left.value.__class__ is right.value.__class__ and left.value == right.value
 
 
 def join_all(values: Iterable[Value]) -> Value:
@@ -124,7 +139,10 @@ def _join_unknown(left: Unknown, right: Unknown) -> Unknown:
         return left
     reasons = tuple(dict.fromkeys(left.reasons + right.reasons))[:MAX_REASONS]
     same = left.hint == right.hint and left.variable == right.variable
-    return Unknown(reasons, left.hint if left.hint == right.hint else "", left.variable if same else "")
+    hint, variable = left.hint if left.hint == right.hint else "", left.variable if same else ""
+    if reasons == left.reasons and hint == left.hint and variable == left.variable:
+        return left
+    return Unknown(reasons, hint, variable)
 
 
 def reasons_of(value: Value) -> tuple[Reason, ...]:

@@ -106,9 +106,9 @@ class Obj:
 
     def replace(self, **changes: object) -> Obj:
         """A copy with some fields changed."""
-        copy = Obj.__new__(Obj)
-        for name in Obj.__slots__:
-            setattr(copy, name, changes[name] if name in changes else getattr(self, name))
+        copy = self.copy()
+        for name, value in changes.items():
+            setattr(copy, name, value)
         if "items" in changes or "rest" in changes:
             if copy.payload.__class__ is Alternatives and "payload" not in changes:
                 copy.payload = None

@@ -12,6 +12,8 @@ object for this copy alone.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from itertools import compress
+from operator import is_not
 from typing import Final, final
 
 from rosward.domain.heap import Obj
@@ -21,6 +23,7 @@ Ground = Callable[[int], Obj | None]
 
 SHIFT: Final = 6
 MASK: Final = (1 << SHIFT) - 1
+_OFFSETS: Final = range(MASK + 1)
 _BLANK: Final[tuple[None, ...]] = (None,) * (MASK + 1)
 _MOST_COVERED: Final = 30_000
 
@@ -101,6 +104,15 @@ class Heap:
         assert page is not None
         page[address & MASK] = obj
 
+    def holds(self, addresses: Iterable[int], records: Iterable[Obj | None]) -> bool:
+        """Whether these records stand at these addresses, of this copy alone (None: nothing does)."""
+        pages = self.pages
+        for address, record in zip(addresses, records, strict=True):
+            page = pages.get(address >> SHIFT)
+            if record is not (None if page is None else page[address & MASK]):
+                return False
+        return True
+
     def restore(self, before: Heap) -> None:
         """Take back what was written to the objects that an earlier copy has; what is new stays."""
         for number, theirs in before.pages.items():
@@ -114,8 +126,9 @@ class Heap:
         for number, page in self.pages.items():
             theirs = before.pages.get(number, _BLANK)
             if page is not theirs:
-                for offset, (obj, old) in enumerate(zip(page, theirs, strict=True)):
-                    if obj is not None and obj is not old:
+                for offset in compress(_OFFSETS, map(is_not, page, theirs)):
+                    obj = page[offset]
+                    if obj is not None:
                         yield (number << SHIFT) + offset, obj
 
     def items(self) -> Iterator[tuple[int, Obj]]:
@@ -141,11 +154,14 @@ class Heap:
         changed, compared = False, 0
         covered = self._covered.pairs(widens=widens)
         on_ground = self._changed | other._changed if self._changed or other._changed else self._changed
-        numbers = [*other.pages, *(self._changed - other.pages.keys())] if self._changed else other.pages
+        pages, others = self.pages, other.pages
         before = {} if known is None or on_ground else known.pages
-        for number in numbers:
-            ours, theirs = self.pages.get(number), other.pages.get(number)
-            if ours is theirs or (theirs is not None and before.get(number) is theirs):
+        differing = list(compress(others, map(is_not, map(pages.get, others), others.values())))
+        if self._changed:
+            differing += self._changed - others.keys()
+        for number in differing:
+            ours, theirs = pages.get(number), others.get(number)
+            if theirs is not None and before.get(number) is theirs:
                 continue
             if number in on_ground:
                 ours, theirs = self._grounded(number, ours, theirs), self._grounded(number, theirs, ours)
@@ -157,9 +173,8 @@ class Heap:
             assert theirs is not None
             merged, as_here, as_there = ours, True, number not in on_ground
             seen = before.get(number, _BLANK)
-            for offset, (a, b) in enumerate(zip(ours, theirs, strict=True)):
-                if a is b:
-                    continue
+            for offset in compress(_OFFSETS, map(is_not, ours, theirs)):
+                a, b = ours[offset], theirs[offset]
                 if b is not None and seen[offset] is b:
                     as_there = False
                     continue

@@ -97,7 +97,7 @@ def written(values: Mapping[str, V], name: str, value: V) -> Mapping[str, V]:
     """The same with this value under this name."""
     if values.__class__ is dict and len(values) < _MANY:
         return {**values, name: value}
-    table = values if isinstance(values, Table) else Table.of(values)
+    table = values if values.__class__ is Table else Table.of(values)
     return table.written(name, value)
 
 
@@ -105,7 +105,7 @@ def differing(ours: Mapping[str, V], theirs: Mapping[str, V]) -> Iterator[tuple[
     """The names under which two mappings hold different objects, with both; None where one of them has none."""
     if ours is theirs:
         return iter(())
-    if isinstance(ours, Table) and isinstance(theirs, Table):
+    if ours.__class__ is Table and theirs.__class__ is Table:
         return ours.differing(theirs)
     return _apart(ours, theirs)
 
@@ -150,7 +150,7 @@ def marked(marks: Set[str], name: str) -> Set[str]:
     """The set with this name; itself where it has it."""
     if name in marks:
         return marks
-    if isinstance(marks, Marks):
+    if marks.__class__ is Marks:
         return Marks(written(marks.table, name, value=True))
     if len(marks) < _MANY:
         return frozenset((*marks, name))
@@ -161,13 +161,13 @@ def unmarked(marks: Set[str], name: str) -> Set[str]:
     """The set without this name; itself where it does not have it."""
     if name not in marks:
         return marks
-    return Marks(written(marks.table, name, value=False)) if isinstance(marks, Marks) else frozenset(marks - {name})
+    return Marks(written(marks.table, name, value=False)) if marks.__class__ is Marks else frozenset(marks - {name})
 
 
 def more_marks(ours: Set[str], theirs: Set[str]) -> Iterator[str]:
     """The names that only the other has."""
     if ours is theirs:
         return iter(())
-    if isinstance(ours, Marks) and isinstance(theirs, Marks):
+    if ours.__class__ is Marks and theirs.__class__ is Marks:
         return (name for name, a, b in differing(ours.table, theirs.table) if b and not a)
     return (name for name in theirs if name not in ours)

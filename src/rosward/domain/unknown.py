@@ -44,6 +44,8 @@ class Cause(enum.Enum):
     SET = "environment variable, where it is set"
     ERROR = "expression that fails at run time"
 
+    __hash__ = object.__hash__  # that of `Enum` hashes the name, in Python
+
 
 FOLDERS: Final = frozenset((Cause.SHARE, Cause.PREFIX, Cause.SOURCES, Cause.BESIDE))
 """Unknown folders that are known for what they are: a text that begins with one of them is a path below it."""
@@ -98,8 +100,13 @@ class Origin(NamedTuple):
     given: bool = False
 
 
-def derived(reasons: Iterable[Reason]) -> tuple[Reason, ...]:
+def derived(reasons: tuple[Reason, ...]) -> tuple[Reason, ...]:
     """The reasons of what is computed from a value: a piece of the path of a folder, or another text made of it, is not that folder any more."""
+    for reason in reasons:
+        if reason.cause in FOLDERS:
+            break
+    else:
+        return reasons
     return tuple(
         Reason(Cause.OPERATION, f"path of {reason.subject}", reason.place) if reason.cause in FOLDERS else reason
         for reason in reasons

@@ -36,8 +36,6 @@ _PLAIN_HASH: Final = 1 << 60
 
 def _hash_of(value: Plain) -> int:
     """The hash of a constant. Python's own has one value for endlessly many numbers, so that a dict of such numbers would take for ever."""
-    if value.__class__ is str:
-        return hash((str, value))
     if value.__class__ in (int, float, complex) and not -_PLAIN_HASH < abs(value) < _PLAIN_HASH:
         return hash((value.__class__, repr(value) if value.__class__ is not int else hex(value)))
     if value.__class__ is complex:
@@ -54,7 +52,7 @@ class Const(Value):
     def __init__(self, value: Plain, origins: Origins = NO_ORIGINS) -> None:
         self.value = value
         self.origins = origins
-        self._hash = _hash_of(value)
+        self._hash = hash(value) if value.__class__ is str else _hash_of(value)
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
@@ -121,7 +119,7 @@ class Unknown(Value):
         self.variable = variable
         self.reasons = reasons
         self.hint = hint
-        self._hash = hash((tuple([(r.subject, r.place) for r in reasons]), hint))
+        self._hash = 0  # made when it is asked for: most are compared by their reasons only
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
@@ -132,7 +130,10 @@ class Unknown(Value):
         )
 
     def __hash__(self) -> int:
-        return self._hash
+        found = self._hash
+        if not found:
+            found = self._hash = hash((self.reasons, self.hint)) or 1
+        return found
 
     def __reduce__(self) -> Reduced:
         return Unknown, (self.reasons, self.hint, self.variable)

@@ -182,6 +182,11 @@ class EffectLog:
                     )
                 )
 
+    @property
+    def tells_once(self) -> bool:
+        """Whether it is all the same how often something is recorded: what a launch file does has an order, and stands in another log."""
+        return self.launch is None
+
     def is_node(self, address: int) -> bool:
         """Whether the object at an address is a node."""
         return address in self._addresses

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import UNBOUND, Function, Value
-from rosward.engine import declared
+from rosward.engine import declared, recalled
 from rosward.engine.bodies import context_of, run_body
 from rosward.engine.summarised import summarised
 from rosward.engine.throwing import note
@@ -25,7 +25,7 @@ _OF_LOOPS: Final = 50
 def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """Run a function body on bound registers; the value returned."""
     code = function.code
-    depth = sum(1 for f in machine.frames if f.code is code)
+    depth = [frame.code for frame in machine.frames].count(code)
     limit = machine.budget.recursion
     if machine.precision.coarse:
         recursive = code.key in machine.summaries.recursive
@@ -35,9 +35,10 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
         machine.summaries.recursive.add(code.key)
     if depth >= limit or len(machine.frames) >= machine.budget.depth:
         return summarised(machine, function, registers)
+    given = tuple(registers)
     key = (
         function,
-        tuple(registers),
+        given,
         machine.state.version,
         bool(machine.catchers),
         machine.summaries.epoch,
@@ -47,21 +48,40 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
     if remembered is not None:
         if machine.watch is not None:
             machine.watch.again(machine, key)
-        value, level = remembered
+        value, level, asked_for = remembered
+        machine.asked_for |= asked_for
         if level:
             note(machine, level)
         return value
-    raised, version, provisional = machine.raised, machine.state.version, machine.summaries.provisional
-    noted, machine.noted = machine.noted, 0
     caller = machine.frames[-1] if machine.frames else None
     context = context_of(machine, code, caller)
-    value = run_body(machine, function, registers, caller, context)
-    level, machine.noted = machine.noted, max(machine.noted, noted)
+    place = recalled.place_of(machine, code.key, (function, given), context)
+    found = None if place is None else recalled.known(machine, place)
+    if found is not None:
+        return recalled.repeated(machine, found)
+    call = None if place is None else recalled.begun(machine)
+    raised, version, provisional = machine.raised, machine.state.version, machine.summaries.provisional
+    noted, machine.noted = machine.noted, 0
+    outer, machine.asked_for = machine.asked_for, set()
+    importing = bool(machine.catchers) and machine.catchers[-1].importing
+    if importing:
+        machine.catchers[-1].importing = False
+    try:
+        value = run_body(machine, function, registers, caller, context)
+        level, machine.noted = machine.noted, max(machine.noted, noted)
+        if call is not None and value is not UNBOUND:
+            call.value, call.level = value, level
+            recalled.ended(machine, place, code.key, call)
+    finally:
+        asked_for, machine.asked_for = machine.asked_for, outer
+        outer |= asked_for
+        if importing:
+            machine.catchers[-1].importing = True
     quiet = (
         machine.state.version == version and machine.raised == raised and machine.summaries.provisional == provisional
     )
     if quiet and value is not UNBOUND and not declared.is_model(function):
-        machine.summaries.memo[key] = (value, level)
+        machine.summaries.memo[key] = (value, level, asked_for)
         if machine.watch is not None:
             machine.watch.remember(key, code, context)
     return value

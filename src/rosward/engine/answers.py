@@ -109,9 +109,11 @@ class Answers:
 
     def new_cells(self: Engine, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
+        if not code.cells:
+            return []
         keys = [("cell", context, code.key, n) for n in range(len(code.cells))]
         outlive = self.languages[code.language].cells_outlive
-        if keys and (outlive or any(f.code is code and f.context == context for f in self.frames)):
+        if outlive or any(f.code is code and f.context == context for f in self.frames):
             return [self.place_at(key, Obj("cell", NONE)) for key in keys]
         cells = [self.place_key(key) for key in keys]
         for address in cells:
@@ -200,6 +202,7 @@ class Answers:
 
     def variables(self: Engine, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives here."""
+        self.summaries.asked += local  # it looks at all registers, of which nobody else knows
         found = self.language.variables(self, local=local)
         return self.unknown(Cause.LIVE, "variables", "dict") if found is None else found
 

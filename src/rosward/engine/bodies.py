@@ -9,7 +9,6 @@ from rosward.domain.choice import join
 from rosward.domain.state import State, join_states
 from rosward.domain.values import NONE, UNBOUND, Function, Value
 from rosward.engine import declared
-from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.frame import Frame
 
 if TYPE_CHECKING:
@@ -60,7 +59,7 @@ def context_of(machine: Engine, code: Code, caller: Frame | None) -> int:
     Where precision is given up, functions are contexts, but for those of libraries and those that create something: what these do for one
     caller is no other's business.
     """
-    if machine.precision.coarse and not code.file.startswith(MODEL_PREFIX) and code.key not in machine.trace.creating:
+    if machine.precision.coarse and not code.is_model and code.key not in machine.trace.creating:
         return machine.context("coarse", code.key)
     if caller is None:
         return 0

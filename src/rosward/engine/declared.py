@@ -21,13 +21,11 @@ if TYPE_CHECKING:
 
 _PURE: Final = Tuple((Const("pure"),))
 _RAISES_NOTHING: Final = Tuple((Const("raises_nothing"),))
-MODEL_PREFIX = "models:"
-"""How the file name of every code body of a model begins."""
 
 
 def is_model(function: Function) -> bool:
     """Whether a function belongs to a library model."""
-    return function.code.file.startswith(MODEL_PREFIX)
+    return function.code.is_model
 
 
 _HARMLESS: Final = (Const("sends"), Const("pure"))
@@ -79,11 +77,22 @@ def result(machine: Engine, function: Function, registers: list[Value]) -> Value
     dotted = f"{function.module.name}.{code.qualname}"
     if code.returns is None:
         return machine.unknown(Cause.CALL, dotted)
-    try:
-        tree = ast.parse(code.returns, mode="eval").body
-    except SyntaxError:
+    tree = _parsed(machine, code.returns)
+    if tree is None:
         return machine.unknown(Cause.CALL, dotted)
     return _of_annotation(machine, function, tree, registers, dotted)
+
+
+def _parsed(machine: Engine, text: str) -> ast.expr | None:
+    """An annotation, parsed once for each process; None where it is none."""
+    known, key = machine.log.remembered, ("annotation", text)
+    if key not in known:
+        try:
+            known[key] = ast.parse(text, mode="eval").body
+        except SyntaxError:
+            known[key] = None
+    found = known[key]
+    return found if isinstance(found, ast.expr) else None
 
 
 def _of_annotation(machine: Engine, function: Function, tree: ast.expr, registers: list[Value], dotted: str) -> Value:

@@ -172,8 +172,12 @@ class Interpreter(Answers):
     # The heap
 
     def obj(self, ref: Ref) -> Obj:
-        """The record at an address, of this process or of the library."""
-        return self.at(ref.address)
+        """The record behind a reference, of this process or of the library."""
+        address = ref.address  # `at`, without the call
+        self.asked_for.add(address)
+        page = self.state.heap.pages.get(address >> SHIFT)
+        found = None if page is None else page[address & MASK]
+        return found if found is not None else self.library.at(address)
 
     def at(self, address: int) -> Obj:
         """The record at an address."""

@@ -11,7 +11,6 @@ from typing import final
 from rosward.domain.compound import External
 from rosward.domain.values import Class, Const, Function, ModuleValue, Value
 from rosward.effects.shell import Shell, usual_shell
-from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.found import FoundModule, Sources
 from rosward.engine.languages import LANGUAGES, Languages
 from rosward.engine.machine import Language
@@ -22,7 +21,7 @@ from rosward.engine.remembered import Memory, memory_here
 from rosward.engine.spare import borrowed, given_back
 from rosward.findings import Findings
 from rosward.ir import ops
-from rosward.ir.program import Module
+from rosward.ir.program import MODEL_PREFIX, Module
 from rosward.models.native import NativeFunction
 from rosward.models.ros.interfaces import message_name
 from rosward.models.tables import Models

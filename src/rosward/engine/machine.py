@@ -226,6 +226,8 @@ class Language:
     """Which of the bodies that are made of one code a call runs: those of a template are told apart by its arguments."""
     cells_outlive: bool
     """Whether a variable may be used when the call that has it has ended."""
+    recalls: bool
+    """Whether a call leaves nothing but its result, records and what it told: then one from the same records need not run again."""
 
     # Values
     truth: Callable[[Engine, Value], bool | None]

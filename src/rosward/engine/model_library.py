@@ -19,7 +19,6 @@ from rosward.domain.values import Class, Const, Function, Hole, ModuleValue, Val
 from rosward.effects.log import EffectLog
 from rosward.effects.shell import Shell, usual_shell
 from rosward.engine.budget import Budget, LimitReachedError
-from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.found import FoundModule, Sources
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.languages import LANGUAGES, Languages
@@ -30,7 +29,7 @@ from rosward.engine.stub_files import StubFiles
 from rosward.findings import Finding, Findings
 from rosward.guard import internal_error
 from rosward.ir import ops
-from rosward.ir.program import Module
+from rosward.ir.program import MODEL_PREFIX, Module
 from rosward.models.facts import LibraryFacts, marked
 from rosward.models.native import NativeFunction
 from rosward.models.stub_marks import StubMarks, wrong_marks
@@ -51,13 +50,20 @@ _SMALL: Final = 1 << 60
 class Constants:
     """The constants of operations, each made once."""
 
-    __slots__ = ("_known",)
+    __slots__ = ("_known", "_of")
 
     def __init__(self) -> None:
         self._known: dict[tuple[type, object], Const] = {}
+        self._of: dict[ops.Const, Const] = {}  # operations are compared by identity
 
     def of(self, op: ops.Const) -> Const:
         """The constant of an operation."""
+        found = self._of.get(op)
+        if found is None:
+            found = self._of[op] = self._made(op)
+        return found
+
+    def _made(self, op: ops.Const) -> Const:
         value = op.value
         if value.__class__ is complex or (value.__class__ in _NUMBERS and not -_SMALL < value < _SMALL):
             return Const(value)  # endlessly many of these have one hash

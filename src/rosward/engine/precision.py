@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.engine.budget import Budget, LimitReachedError
+from rosward.records import NamedTuple
 from rosward.rules import TIME_LIMIT
 
 if TYPE_CHECKING:
@@ -21,6 +22,21 @@ if TYPE_CHECKING:
     from rosward.engine.rest import Rest
     from rosward.ir.ops import Op
     from rosward.ir.program import OpKey
+
+
+class Effort(NamedTuple):
+    """How much was spent at a moment, or since one: steps, turns, loops. `first`: the turns at its beginning.
+
+    `heavy`: how many loops were known to take too many steps, `given_up`: how often precision was given up for one.
+    """
+
+    steps: int
+    first: int
+    turns: int
+    loops: int
+    heavy: int
+    given_up: int
+    coarse: bool
 
 
 _STEPS_APART: Final = 200
@@ -38,13 +54,17 @@ class Precision:
         "_heavy",
         "_in_callbacks",
         "_looked",
+        "_repeated",
+        "begun",
         "budget",
         "coarse",
         "deadline",
         "fixpoints",
+        "given_up",
         "heads",
         "loop_limit",
         "loops",
+        "repeated_in_callbacks",
         "spent",
         "step_limit",
         "steps",
@@ -62,9 +82,13 @@ class Precision:
         self._looked = -_STEPS_APART  # the step at which the clock was last asked
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
+        self._repeated = 0  # steps that counted and were not taken, as what they do was known
+        self.begun = 0  # how many loops began
+        self.given_up = 0  # how often precision was given up for a loop
         self.turns = 0  # turns followed one by one since the outermost of them began
         self.heads: dict[OpKey, Rest] = {}  # where loops came to rest; in coarse mode only
         self.spent = 0  # steps of all callbacks, but for those that are running
+        self.repeated_in_callbacks = 0  # those of them that were not taken
         self._begun = 0  # how many steps there were when these began
         self._in_callbacks = False
         self._always_coarse = False  # the callback that is running took too many steps when it ran before
@@ -74,7 +98,7 @@ class Precision:
     def spend(self, steps: int, where: Execution) -> None:
         """Something takes as long as this many steps; raises where there are fewer left."""
         self.steps += steps
-        if self.steps > self.step_limit:
+        if self.steps - self._repeated > self.step_limit:
             raise LimitReachedError(f"more than {self.step_limit} steps", where.place)
 
     def check_time(self, where: Execution) -> None:
@@ -94,11 +118,13 @@ class Precision:
             self.loop_limit = min(self._coarse_limit, self.steps + self.budget.loop_steps)
             self.coarse = self.coarse or (frame.code.key, op.number) in self._heavy
         self.loops += 1
+        self.begun += 1
 
     def end_loop(self, op: Op, frame: Frame) -> None:
         """A loop has ended."""
         self.loops -= 1
         if not self.loops:
+            self.given_up += self.coarse
             if self.coarse and not self._always_coarse:
                 self._heavy.add((frame.code.key, op.number))
                 self._always_coarse = self._in_callbacks  # until the callback ends
@@ -107,6 +133,43 @@ class Precision:
                 self._coarse_limit = max(self._coarse_limit, self.steps + left)
             self.loop_limit = self._coarse_limit
             self.coarse = self._always_coarse or self.steps > self._coarse_limit
+
+    # What is done once more
+
+    def effort(self) -> Effort:
+        """What was spent so far."""
+        return Effort(self.steps, self.turns, self.turns, self.begun, len(self._heavy), self.given_up, self.coarse)
+
+    def was_precise(self, begun: Effort) -> bool:
+        """Whether no precision was given up since; where it had been before, whether no loop was followed by what is kept of it."""
+        if begun.coarse:
+            return self.coarse and begun.loops == self.begun
+        return not self.coarse and begun.given_up == self.given_up
+
+    def since(self, begun: Effort) -> Effort:
+        """What was spent since."""
+        turns, loops = self.turns - begun.turns, self.begun - begun.loops
+        return Effort(self.steps - begun.steps, begun.turns, turns, loops, begun.heavy, begun.given_up, begun.coarse)
+
+    def allows(self, effort: Effort) -> bool:
+        """Whether as much can be spent again, and every loop would be followed as it was."""
+        if not self.coarse and self.steps + effort.steps > self.loop_limit:
+            return False
+        if not effort.loops:
+            return True
+        if effort.heavy != len(self._heavy):
+            return False
+        latest = max(effort.first, self.turns) + effort.turns + self.budget.unroll
+        return not self.loops or effort.first == self.turns or latest <= self.budget.turns
+
+    def repeat(self, effort: Effort) -> None:
+        """As much is spent again: it counts for how precisely all else is followed, but it takes no time."""
+        self.steps += effort.steps
+        self._repeated += effort.steps
+        if self._in_callbacks:
+            self.repeated_in_callbacks += effort.steps
+        if self.loops:
+            self.turns += effort.turns
 
     # Callbacks
 
@@ -134,7 +197,7 @@ class Precision:
     def begin_callback(self, *, coarse: bool) -> int:
         """A callback begins, with steps of its own; `coarse`: it took too many before. What `end_callback` asks for."""
         self.loops = self.fixpoints = 0
-        self.step_limit = self.steps + self.budget.entry_steps
+        self.step_limit = self.steps - self._repeated + self.budget.entry_steps
         self.coarse = self._always_coarse = coarse
         self._coarse_limit = self.loop_limit = self.steps + self.budget.entry_coarse
         return len(self._heavy)

@@ -19,7 +19,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, Final, final
 
-from rosward.engine.declared import MODEL_PREFIX
+from rosward.ir.program import MODEL_PREFIX
 from rosward.models.ros.interfaces import message_name
 from rosward.records import NamedTuple
 from rosward.rules import INTERNAL_ERROR, KILLED, TIME_LIMIT

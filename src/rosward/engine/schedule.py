@@ -94,6 +94,7 @@ def _alone(machine: Engine) -> Iterator[None]:
     """What is scheduled runs under no frame and no `try` of the main body."""
     book = machine.schedule_book
     book.running = True
+    book.spins += 1
     catchers, machine.catchers = machine.catchers, []
     handling, machine.handling = machine.handling, []
     frames, machine.frames = machine.frames, []
@@ -122,6 +123,7 @@ def spin(machine: Engine) -> None:
     book = machine.schedule_book
     if book.running:
         return
+    book.spins += 1
     if book.settled != (len(book.entries), machine.state.version):
         frames = machine.frames
         with _alone(machine):
@@ -197,7 +199,7 @@ def _afford(machine: Engine, entry: Scheduled) -> bool:
     budget = machine.budget
     most = budget.callback_steps + _STEPS_OF_EACH * len(book.entries)
     spent = machine.precision.spent_in_callbacks
-    if spent > most:
+    if spent - machine.precision.repeated_in_callbacks > most:
         if not any(other.exhausted for other in book.entries.values()):
             said = f"more than {most} steps in all callbacks; what this one and others do later is missing"
             machine.log.findings.add(Finding("RW201", said, entry.place))

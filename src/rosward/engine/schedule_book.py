@@ -37,6 +37,7 @@ class Schedule:
         "raised",
         "running",
         "settled",
+        "spins",
         "threads_raised",
     )
 
@@ -47,6 +48,7 @@ class Schedule:
         self.by_library = False  # something that the program handed out may be called by a library
         self.main_raised: Value = UNBOUND  # the exceptions by which the main body may end
         self.threads_raised: Value = UNBOUND  # those that threads do not catch
+        self.spins = 0  # how often the main body came to where callbacks run
         self.event = ""  # of the entry that is running
         self.raised: dict[Value, State] = {}  # what callbacks raise and do not catch, and the states in which they do
         self.settled = (-1, -1)  # the number of entries and the version with which all came to rest last time

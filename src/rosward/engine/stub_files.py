@@ -11,12 +11,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final, final
 
-from rosward.engine.declared import MODEL_PREFIX
 from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontendError
 from rosward.frontends.registry import front_end_of
 from rosward.guard import guarded
-from rosward.ir.program import Module
+from rosward.ir.program import MODEL_PREFIX, Module
 from rosward.source import disk, limits
 from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes

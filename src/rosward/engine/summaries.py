@@ -8,9 +8,13 @@ from typing import TYPE_CHECKING, final
 from rosward.domain.values import UNBOUND, Value
 
 if TYPE_CHECKING:
+    from rosward.domain.heap import Obj
     from rosward.domain.memory import Heap
-    from rosward.domain.state import State
+    from rosward.domain.state import EventKey, State
     from rosward.engine.catcher import Catcher
+    from rosward.engine.precision import Effort
+    from rosward.ir.ops import Op
+    from rosward.ir.program import OpKey
 
 
 @final
@@ -55,18 +59,78 @@ class Summary:
 
 
 @final
+class Call:
+    """One call: what it found, and what it left (`recalled.py`)."""
+
+    __slots__ = (
+        "added",
+        "addresses",
+        "around",
+        "asked_for",
+        "before",
+        "done",
+        "effort",
+        "heap",
+        "importing",
+        "left",
+        "level",
+        "records",
+        "stands",
+        "value",
+        "written",
+    )
+
+    def __init__(self, state: State, around: tuple[object, ...], before: tuple[object, ...], effort: Effort) -> None:
+        self.around = around  # what it may have asked for that is no record
+        self.before = before  # what must not change until it ends
+        self.done = state.done
+        self.effort = effort
+        self.heap: Heap | None = state.heap.copy()  # until it ends
+        self.value: Value = UNBOUND
+        self.level = 0  # what Python may raise in it
+        self.importing = False  # an import in it may fail
+        self.left: tuple[Value, ...] = ()  # of a loop: what stands in the registers that it writes,
+        self.stands: tuple[Op, int]  # and the operation that ran last, with what that made
+        self.asked_for: frozenset[int] = frozenset()
+        self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
+        self.records: tuple[Obj | None, ...] = ()  # what stood there
+        self.written: tuple[tuple[int, Obj], ...] = ()
+        self.added: frozenset[EventKey] = frozenset()  # what surely happened in it
+
+
+@final
 class Summaries:
     """What one process remembers of its calls."""
 
-    __slots__ = ("changes", "epoch", "finished", "large", "memo", "provisional", "recursive", "running", "turns")
+    __slots__ = (
+        "asked",
+        "calls",
+        "changes",
+        "epoch",
+        "finished",
+        "large",
+        "loops",
+        "memo",
+        "provisional",
+        "recursive",
+        "running",
+        "small",
+        "turns",
+    )
 
     def __init__(self) -> None:
-        self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
+        self.memo: dict[
+            object, tuple[Value, int, set[int]]
+        ] = {}  # results, what Python may raise, and what was asked for
+        self.calls: dict[object, tuple[Call, ...]] = {}  # what calls did, by place (`recalled.py`)
+        self.small: set[str] = set()  # the code bodies, by their keys, of which calls are not worth to be remembered
         self.epoch = 0  # which run of a summary's body is going on: what was remembered outside of it tells not what it asked for
         self.running: dict[object, Summary] = {}  # of recursions that are being solved
         self.finished: dict[object, Summary] = {}  # of recursions and large functions; in coarse mode only
         self.provisional = 0  # how often an unfinished summary of a recursion was read
         self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
         self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
+        self.loops: dict[OpKey, tuple[tuple[int, ...], tuple[int, ...]] | None] = {}  # which registers loops use
+        self.asked = 0  # how often a call looked at more than records: at a summary, a generator that runs, a frame
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 def summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """What a call gives by the summary of its function."""
+    machine.summaries.asked += 1
     key = (function.code.key, (function.cells, machine.language.instance(machine, function, registers)))
     if machine.watch is not None:
         machine.watch.summary(machine, function.code, machine.context("summary", function.code.key))

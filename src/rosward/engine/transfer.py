@@ -15,6 +15,7 @@ from rosward.domain.values import UNBOUND, Choice, Function, Ref
 from rosward.engine import control, narrowing
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
+from rosward.engine.recalled_loops import recalling
 from rosward.ir import ops
 from rosward.models.ros import parameter_table
 
@@ -156,7 +157,7 @@ CORE: Final[dict[type[ops.Op], Handler]] = {
     ops.MakeFunction: _make_function,
     ops.Assume: _assume,
     ops.If: control.branch,
-    ops.While: control.loop,
+    ops.While: recalling(control.loop),
     ops.Return: control.leave,
     ops.Break: control.break_,
     ops.Continue: control.continue_,

@@ -24,7 +24,7 @@ _LEAST: Final = 2
 
 def is_unchanged(machine: Engine, entry: Scheduled) -> bool:
     """Whether a callback would do what it did the last time."""
-    if entry.runs < _LEAST or entry.around != _around(machine):
+    if entry.runs < _LEAST or entry.around != circumstances(machine):
         return False
     heap = machine.state.heap
     return all(heap.get(address) is record for address, record in entry.read)
@@ -33,7 +33,7 @@ def is_unchanged(machine: Engine, entry: Scheduled) -> bool:
 @contextmanager
 def remembered(machine: Engine, entry: Scheduled, before: State) -> Iterator[None]:
     """A callback runs, from a state: what it reads there is noted with it."""
-    around, outer = _around(machine), machine.asked_for
+    around, outer = circumstances(machine), machine.asked_for
     machine.asked_for = set()
     machine.summaries.memo.clear()  # what is remembered of a call tells nothing of what the call read
     try:
@@ -46,7 +46,7 @@ def remembered(machine: Engine, entry: Scheduled, before: State) -> Iterator[Non
         machine.asked_for |= outer
 
 
-def _around(machine: Engine) -> tuple[object, ...]:
+def circumstances(machine: Engine) -> tuple[object, ...]:
     """What callbacks may ask for that is no record of the heap; all of it only grows."""
     book = machine.schedule_book
     return (

@@ -70,34 +70,34 @@ def is_function(word: str) -> bool:
 def read_policy(table: object) -> Policy:
     """The value of `flow` in a configuration file. Raises PolicyError."""
     if not isinstance(table, Mapping) or not set(table) <= {"rule", "release"}:
-        raise PolicyError("tables [[flow.rule]] and [[flow.release]]")
+        raise PolicyError("flow has only the tables [[flow.rule]] and [[flow.release]]")
     rules = [_rule(each, number) for number, each in enumerate(_tables(table, "rule"), 1)]
     names = [rule.name for rule in rules]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise PolicyError(f"without two rules of the name {twice!r}")
+        raise PolicyError(f"two flow rules are called {twice!r}")
     return Policy(tuple(rules), tuple(_release(each) for each in _tables(table, "release")))
 
 
 def _tables(table: Mapping[object, object], key: str) -> list[Mapping[object, object]]:
     found = table.get(key, [])
     if not isinstance(found, list) or not all(isinstance(each, Mapping) for each in found) or len(found) > _MOST:
-        raise PolicyError(f"tables [[flow.{key}]], {_MOST:,} at most")
+        raise PolicyError(f"[[flow.{key}]] must be a table, and there may be {_MOST:,} at most")
     return found
 
 
 def _rule(table: Mapping[object, object], number: int) -> Rule:
     name = table.get("name", f"rule {number}")
     if not isinstance(name, str) or not name:
-        raise PolicyError("made of rules whose `name` is a text")
-    about = f"flow rule {name!r}"
+        raise PolicyError("the `name` of a flow rule must be a string")
+    about = f"the flow rule {name!r}"
     _only(table, ("name", "from", "not-to", "to", "only-from", "by"), about)
     by = table.get("by", "data")
     if by not in STRENGTHS:
-        raise PolicyError(f"{about} with `by` one of {', '.join(STRENGTHS)}")
+        raise PolicyError(f"{about}: `by` must be one of {', '.join(STRENGTHS)}")
     given = {key for key in ("from", "not-to", "to", "only-from") if key in table}
     if given not in ({"from", "not-to"}, {"to", "only-from"}):
-        raise PolicyError(f"{about} with either `from` and `not-to`, or `to` and `only-from`")
+        raise PolicyError(f"{about} needs either `from` and `not-to`, or `to` and `only-from`")
     return Rule(
         name,
         _selections(table, "from", about),
@@ -109,20 +109,21 @@ def _rule(table: Mapping[object, object], number: int) -> Rule:
 
 
 def _release(table: Mapping[object, object]) -> Release:
-    about = f"flow release through {table.get('through')!r}"
+    through = table.get("through")
+    about = f"the flow release through {', '.join(map(str, through)) if isinstance(through, list) else through}"
     _only(table, ("through", "of", "because"), about)
     because = table.get("because")
     if not isinstance(because, str) or not because.strip():
-        raise PolicyError(f"{about} with `because`, which says why it is safe")
+        raise PolicyError(f"{about} needs `because`: why is it safe?")
     if "through" not in table or "of" not in table:
-        raise PolicyError(f"{about} with `through` and `of`")
+        raise PolicyError(f"{about} needs `through` and `of`")
     return Release(_selections(table, "through", about), _selections(table, "of", about), because)
 
 
 def _only(table: Mapping[object, object], keys: tuple[str, ...], about: str) -> None:
     wrong = [key for key in table if key not in keys]
     if wrong:
-        raise PolicyError(f"{about} without {wrong[0]!r}; its keys are {', '.join(keys)}")
+        raise PolicyError(f"{about} has no key {wrong[0]!r}; its keys are {', '.join(keys)}")
 
 
 def _selections(table: Mapping[object, object], key: str, about: str) -> tuple[Selection, ...]:
@@ -130,9 +131,9 @@ def _selections(table: Mapping[object, object], key: str, about: str) -> tuple[S
     if isinstance(words, str):
         words = [words]
     if not isinstance(words, (list, tuple)) or not all(isinstance(w, str) and w for w in words) or len(words) > _MOST:
-        raise PolicyError(f"{about} with a list of names in `{key}`")
+        raise PolicyError(f"{about} needs a list of names in `{key}`")
     for word in words:
         kind, colon, _ = word.partition(":")
         if colon and kind not in KINDS:
-            raise PolicyError(f"{about}: {kind!r} in `{key}` is no kind; kinds are {', '.join(KINDS)}")
+            raise PolicyError(f"{about}: {kind!r} in `{key}` is not a kind; kinds are {', '.join(KINDS)}")
     return tuple(Selection(word) for word in words)

@@ -51,6 +51,8 @@ class Parameters:
         return names
 
 
+MODEL_PREFIX: Final = "models:"
+"""How the file name of every code body of a model begins."""
 PYTHON: Final = "python"
 CPP: Final = "c++"
 
@@ -146,6 +148,7 @@ class Code:
         "free",
         "is_coroutine",
         "is_generator",
+        "is_model",
         "is_stub",
         "key",
         "kind",
@@ -195,6 +198,7 @@ class Code:
         self.name = name
         self.qualname = qualname
         self.file = file
+        self.is_model = file.startswith(MODEL_PREFIX)
         self.line = line
         self.parameters = parameters
         self.ops = ops

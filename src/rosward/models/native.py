@@ -284,7 +284,7 @@ NativeFunction = Callable[[NativeCall], "Value"]
 def perform(native: NativeFunction, call: NativeCall) -> Value:
     """What a native gives; a call without an argument that it reads is a TypeError, or not known where there may be more arguments."""
     try:
-        return native(call._replace(args=Arguments(call.args)))
+        return native(call if call.args.__class__ is Arguments else call._replace(args=Arguments(call.args)))
     except MissingArgumentError:
         machine, name = call.machine, call.name.removeprefix("builtins.")
         if call.loose is None and not call.unsure:

@@ -18,7 +18,7 @@ from rosward.engine.cpp.linked import INSTANCES, Info, linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import flat, match
-from rosward.engine.declared import MODEL_PREFIX
+from rosward.ir.program import MODEL_PREFIX
 from rosward.ir.symbols import Symbol, SymbolKind, TemplateParameter
 from rosward.models.cpp.copies import COPY, REFERENCES
 

@@ -103,6 +103,7 @@ CPP: Final = replace(
     situation=_situation,
     instance=body_of,
     cells_outlive=False,
+    recalls=False,
     truth=_truth,
     unary=operators.unary,
     binary=operators.binary,

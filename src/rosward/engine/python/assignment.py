@@ -117,7 +117,9 @@ def keep(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool) -> N
     old = obj.attrs.get(name)
     if old is not None and (weak or obj.many):
         value = join(old, value)
-    if old is not value or name in obj.partial:
+    if (
+        old is not value or name in obj.partial or machine.summaries.epoch
+    ):  # a summary tells by the records what is written
         one_of_several = weak or obj.many
         absent = marked(obj.partial, name) if old is None and one_of_several else obj.partial
         changed = obj.with_attr(name, value)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Super, Tuple
-from rosward.domain.unknown import Cause
+from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.python import modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
@@ -109,8 +109,10 @@ def _of_unknown(machine: Engine, value: Unknown, name: str) -> Value:
         return BoundMethod(value, Native(f"{value.hint}.{name}"))
     if any(r.cause is not Cause.MESSAGE for r in value.reasons):  # what a message holds is plain data
         machine.trace.asked.add(("", "", name))
+    if not any(r.cause is Cause.MESSAGE for r in value.reasons):
+        return Unknown(value.reasons)
     reasons = tuple(
-        r._replace(subject=f"{r.subject}.{name}") if r.cause is Cause.MESSAGE and len(r.subject) < 80 else r
+        Reason(Cause.MESSAGE, f"{r.subject}.{name}", r.place) if r.cause is Cause.MESSAGE and len(r.subject) < 80 else r
         for r in value.reasons
     )
     return Unknown(reasons)

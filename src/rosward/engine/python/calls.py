@@ -95,7 +95,9 @@ def _spread(machine: Engine, value: Value, keywords: Keywords) -> list[Value]:
 def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) -> Value:
     """function(*args, **keywords); UNBOUND where it never returns."""
     if function.__class__ is Function:
-        language = machine.languages[function.code.language]
+        language = machine.language
+        if function.code.language != language.name:
+            language = machine.languages[function.code.language]
         return language.call_function(machine, function, args, keywords)
     if function.__class__ is BoundMethod:
         return call(machine, function.function, (function.receiver, *args), keywords)

@@ -78,6 +78,7 @@ def _ask(machine: Engine, ref: Ref, running: Running) -> Stepped:
         machine.throw(machine.call(Native("builtins.ValueError"), ()))
         return Stepped(UNBOUND)
     running.asked = True
+    machine.summaries.asked += 1
     running.before = join_states(running.before, machine.state.copy(), machine.fresh_version, _widening(machine))
     item, ended, value = running.stepped
     if running.state is not None:

@@ -61,6 +61,7 @@ PYTHON: Final = Language(
     instance=lambda *_: None,
     run_noting=failing.run_noting,
     cells_outlive=True,
+    recalls=True,
     truth=equality.truth,
     unary=equality.unary,
     binary=equality.binary,

@@ -17,7 +17,7 @@ from rosward.domain.values import UNBOUND, Choice, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.python import contents
-from rosward.models.native import NativeCall, NativeFunction, perform
+from rosward.models.native import Arguments, NativeCall, NativeFunction, perform
 from rosward.models.python.containers.lists import ITERATOR, write_series
 from rosward.models.python.contents import KINDS
 from rosward.models.python.contents import contents as held_by
@@ -53,7 +53,7 @@ def invoke(
     given = args if loose is None or name in _TAKE_LOOSE else (*args, loose)
     if anything and loose is None:
         loose = machine.unknown(Cause.CALLER, name)
-    value = _on_contents(machine, native, NativeCall(machine, name, given, keywords, loose, unsure))
+    value = _on_contents(machine, native, NativeCall(machine, name, Arguments(given), keywords, loose, unsure))
     if name in _RUN_THROUGH:
         for arg in args:
             if isinstance(arg, Ref) and machine.obj(arg).payload == ITERATOR:
@@ -74,18 +74,25 @@ def _on_contents(machine: Engine, native: NativeFunction, call: NativeCall) -> V
     def one(receiver: Value) -> Value:
         held = held_by(machine, receiver)
         if held is None:
-            return perform(native, call._replace(args=(receiver, *call.args[1:])))
+            return perform(native, call if receiver is call.args[0] else _to(call, receiver))
         if call.name == "dict.__getitem__" and len(call.args) == 2:
             value = contents.missing(machine, receiver, held, call.args[1])
             if value is not None:
                 return value
-        value = perform(native, call._replace(args=(held, *call.args[1:])))
+        value = perform(native, _to(call, held))
         return receiver if method in contents.IN_PLACE else value
 
     receiver = call.args[0]
     if receiver.__class__ is Choice and any(held_by(machine, o) is not None for o in receiver.options):
         return each_apart(machine, options(receiver), one)
     return one(receiver)
+
+
+def _to(call: NativeCall, receiver: Value) -> NativeCall:
+    """The call of the same method, of another object."""
+    return NativeCall(
+        call.machine, call.name, Arguments((receiver, *call.args[1:])), call.keywords, call.loose, call.unsure
+    )
 
 
 def flattened(args: tuple[Value, ...], keywords: dict[str, Value]) -> tuple[tuple[Value, ...], dict[str, Value]]:

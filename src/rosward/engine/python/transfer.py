@@ -26,6 +26,7 @@ from rosward.engine.python import (
     removal,
     suspending,
 )
+from rosward.engine.recalled_loops import recalling
 from rosward.ir import ops
 from rosward.models.python.strings.formatting import joined
 from rosward.models.python.strings.methods import format_value
@@ -170,7 +171,7 @@ OWN: Final[dict[type[ops.Op], Handler]] = {
     ops.Intrinsic: _intrinsic,
     ops.Yield: suspending.yield_,
     ops.Await: _await,
-    ops.ForEach: iteration.for_each,
+    ops.ForEach: recalling(iteration.for_each),
     ops.Try: exceptions.attempt,
     ops.With: contexts.with_context,
     ops.Raise: exceptions.raise_,

@@ -113,13 +113,17 @@ def run(function: Callable[..., _R], *args: object) -> _R:
 
 def spread(function: Callable[..., Value], *values: Value) -> Value:
     """The join over all combinations of alternatives; those that raise are left out, unless all do."""
-    if not any(v.__class__ is Choice for v in values):
-        return function(*values)
-    return join_all(_combined(function, values))
+    for value in values:
+        if value.__class__ is Choice:
+            return join_all(_combined(function, values))
+    return function(*values)
 
 
 def _combined(function: Callable[..., _R], values: tuple[Value, ...]) -> list[_R]:
-    if not any(v.__class__ is Choice for v in values):
+    for value in values:
+        if value.__class__ is Choice:
+            break
+    else:
         return [function(*values)]
     results: list[_R] = []
     failure: Raised | None = None
@@ -147,9 +151,9 @@ def spread_fresh(machine: Machine, site: object, function: Callable[..., Value |
     So `x = x + [y]` in a loop does not make one list more in each turn.
     """
     results = _combined(function, values)
-    if len(results) == 1 and not isinstance(results[0], (Choice, Fresh)):
-        return results[0]
     found = [r for r in results if not isinstance(r, Fresh)]
+    if len(found) == len(results):
+        return found[0] if len(found) == 1 else join_all(found)
     for kind, cls in dict.fromkeys((r.kind, r.cls) for r in results if isinstance(r, Fresh)):
         several = [r.items for r in results if isinstance(r, Fresh) and (r.kind, r.cls) == (kind, cls)]
         if kind == "set" and len(several) > 1:
@@ -223,12 +227,17 @@ def origins(*values: Value | None) -> Origins:
     """The origins of values and of their parts."""
     found: Origins = NO_ORIGINS
     for value in values:
-        if isinstance(value, (Const, Text)):
-            found |= value.origins
-        elif isinstance(value, Choice):
+        if value.__class__ is Unknown or value.__class__ is Ref:
+            continue
+        if value.__class__ is Const or value.__class__ is Text:
+            if value.origins:
+                found |= value.origins
+        elif value.__class__ is Choice:
             found |= origins(*value.options)
-        elif isinstance(value, (Tuple, Range, Slice)):
-            found |= origins(*(value.items if isinstance(value, Tuple) else value))
+        elif value.__class__ is Tuple:
+            found |= origins(*value.items)
+        elif value.__class__ is Range or value.__class__ is Slice:
+            found |= origins(*value)
     return found
 
 
@@ -249,8 +258,13 @@ def with_origins(value: Value, more: Origins) -> Value:
 
 def unknown_from(machine: Machine, what: str, hint: str, *values: Value | None) -> Unknown:
     """An unknown for the reasons of the operands, or because of the operation where these have none."""
-    reasons = tuple(dict.fromkeys(r for v in values if v is not None for r in reasons_of(v)))[:MAX_REASONS]
-    return Unknown(derived(reasons), hint) if reasons else machine.unknown(Cause.OPERATION, what, hint)
+    found = [why for v in values if v is not None and (why := reasons_of(v))]
+    if not found:
+        return machine.unknown(Cause.OPERATION, what, hint)
+    reasons = found[0]
+    if len(found) > 1 or len(reasons) > 1:
+        reasons = tuple(dict.fromkeys([r for why in found for r in why]))[:MAX_REASONS]
+    return Unknown(derived(reasons), hint)
 
 
 def hole_from(machine: Machine, what: str, *values: Value | None, shape: str = "") -> Hole:

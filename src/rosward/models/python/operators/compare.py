@@ -100,17 +100,20 @@ def comparable(machine: Machine, value: Value, depth: int = MAX_DEPTH) -> object
     return plain(value)
 
 
+_TUPLE: Final = Native("builtins.tuple")
+_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range"}
+
+
 def kind_of(machine: Machine, value: Value) -> str:
     """The name of the builtin type of a value, '' where it is of none or not known."""
-    if isinstance(value, Const):
-        return "int" if isinstance(value.value, Enumerated) else value.value.__class__.__name__
-    if isinstance(value, Unknown):
+    if value.__class__ is Unknown:
         return "" if value.hint in LOOSE_HINTS else value.hint
-    if isinstance(value, Ref):
+    if value.__class__ is Const:
+        return "int" if isinstance(value.value, Enumerated) else value.value.__class__.__name__
+    if value.__class__ is Ref:
         obj = machine.obj(value)
-        return obj.kind if obj.cls != Native("builtins.tuple") else "tuple"
-    names = {Text: "str", Tuple: "tuple", Range: "range"}
-    return names.get(value.__class__, "")
+        return obj.kind if obj.cls != _TUPLE else "tuple"
+    return _NAMES.get(value.__class__, "")
 
 
 def same(machine: Machine, left: Value, right: Value) -> bool | None:

@@ -73,7 +73,10 @@ _PYTHON: Final[dict[str, Callable[..., object]]] = {
 }  # fmt: skip
 _UNARY: Final[dict[str, Callable[..., object]]] = {"-": operator.neg, "+": operator.pos, "~": operator.invert}
 _WHOLE: Final = ("int", "bool")
+_NUMBERS: Final = frozenset({*_WHOLE, "float"})
 _SEQUENCES: Final = ("str", "bytes", "list", "tuple")
+_BUILTIN: Final = frozenset({*_SEQUENCES, "dict", "set", "int", "float", "NoneType"})
+"""Types of which it is known which operators take them."""
 
 
 @operation
@@ -112,9 +115,7 @@ def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value | Fre
         return _sequences(machine, left, right, kind)
     if op in "|&-^" and isinstance(left, Ref) and isinstance(right, Ref) and {*kinds} <= {"set", "dict", "list"}:
         return _collections(machine, op, left, right, kinds)
-    if all(k in (*_SEQUENCES, "dict", "set", "int", "float", "NoneType") for k in kinds) and _surely_wrong(
-        left, right, kinds
-    ):
+    if kinds[0] in _BUILTIN and kinds[1] in _BUILTIN and _surely_wrong(left, right, kinds):
         raise Raised("TypeError", f"unsupported operand type(s) for {op}: '{kinds[0]}' and '{kinds[1]}'")
     return unknown_from(machine, op, _hint(op, kinds), left, right)
 
@@ -132,7 +133,7 @@ def _surely_wrong(left: Value, right: Value, kinds: tuple[str, str]) -> bool:
 
 def _hint(op: str, kinds: tuple[str, str]) -> str:
     """The type of a result of which only the types of the operands are known."""
-    if not all(k in (*_WHOLE, "float") for k in kinds):
+    if kinds[0] not in _NUMBERS or kinds[1] not in _NUMBERS:
         return kinds[0] if kinds[0] == kinds[1] and op == "+" and kinds[0] in _SEQUENCES else ""
     if op == "/" or "float" in kinds:
         return "float"
@@ -219,7 +220,9 @@ def _unary(machine: Machine, op: str, value: Value) -> Value:
 
 def truth(machine: Machine, value: Value) -> bool | None:
     """The truth of a value; None where both are possible, and for what was computed from a mere default."""
-    answers = {_truth(machine, option) for option in options(value)}
+    if value.__class__ is not Choice:
+        return _truth(machine, value)
+    answers = {_truth(machine, option) for option in value.options}
     return answers.pop() if len(answers) == 1 else None
 
 

@@ -24,7 +24,7 @@ _SIGMA: Final = "\N{GREEK CAPITAL LETTER SIGMA}"
 
 def reasons_in(parts: Parts) -> tuple[Reason, ...]:
     """Why parts are not known."""
-    return derived(dict.fromkeys(r for p in parts if isinstance(p, Hole) for r in p.reasons))[:4]
+    return derived(tuple(dict.fromkeys(r for p in parts if isinstance(p, Hole) for r in p.reasons)))[:4]
 
 
 def anything(parts: Parts) -> Hole:

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which calls need not run again, because nothing that they read has changed since they ran last in the same place?
+
+for box in boxes: area += size(box)      the loop comes to rest: in its last turn `size` is asked what it was asked before
+
+A call is remembered with the records that it asked for, as it found them, and with those that it left. In the same context, from the same
+records, it makes the same objects at the same addresses; what it told the log, the trace and the schedule stands there already. It counts for
+the steps that it took, so that precision is given up where it would be.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.values import Value
+from rosward.engine.summaries import Call
+from rosward.engine.throwing import note
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+_LEAST: Final = 16
+"""A call of fewer steps is made as quickly as it is remembered."""
+_KEPT: Final = 2
+"""So many calls with the same arguments, in the same place, are told apart by what they read."""
+_MOST: Final = 4_000
+"""So many places are remembered."""
+
+
+def begun(machine: Engine) -> Call:
+    """A call begins that is to be remembered."""
+    return Call(machine.state, _around(machine), _before(machine), machine.precision.effort())
+
+
+def ended(machine: Engine, place: object, key: str, call: Call) -> None:
+    """A call has come to its end: it is remembered if it can be, and is worth it."""
+    summaries, heap, state = machine.summaries, call.heap, machine.state
+    call.heap = None
+    assert heap is not None
+    if call.before != _before(machine) or not machine.precision.was_precise(call.effort) or not call.done <= state.done:
+        return
+    call.effort = machine.precision.since(call.effort)
+    if call.effort.steps < _LEAST:
+        summaries.small.add(key)
+        return
+    call.written = tuple(state.heap.changed_since(heap))
+    if call.written and machine.catchers:
+        return  # each state on the way counts for the handlers
+    call.importing = bool(machine.catchers) and machine.catchers[-1].importing
+    call.asked_for = frozenset(machine.asked_for)
+    call.addresses = tuple(call.asked_for.union([address for address, _ in call.written]))
+    call.records = tuple(map(heap.get, call.addresses))
+    call.added = state.done - call.done
+    if len(summaries.calls) > _MOST:
+        summaries.calls.clear()
+    summaries.calls[place] = (call, *summaries.calls.get(place, ())[: _KEPT - 1])
+
+
+def known(machine: Engine, place: object) -> Call | None:
+    """The call that was made in that place, if it would do now what it did then."""
+    state = machine.state
+    for call in machine.summaries.calls.get(place, ()):
+        if (
+            state.heap.holds(call.addresses, call.records)
+            and machine.precision.allows(call.effort)
+            and call.done <= state.done
+            and call.around == _around(machine)
+            and machine.unheld.isdisjoint(call.addresses)
+        ):
+            return call
+    return None
+
+
+def repeated(machine: Engine, call: Call) -> Value:
+    """What a call gives; the machine is where it would be behind it."""
+    state = machine.state
+    for address, record in call.written:
+        state.heap[address] = record
+    state.done |= call.added
+    if call.written or call.added:
+        state.version = machine.fresh_version()
+    machine.asked_for |= call.asked_for
+    machine.precision.repeat(call.effort)
+    if call.importing:
+        machine.catchers[-1].importing = True
+    if call.level:
+        note(machine, call.level)
+    return call.value
+
+
+def _around(machine: Engine) -> tuple[object, ...]:
+    """What a call may ask for that is no record of the heap."""
+    book, trace = machine.schedule_book, machine.trace
+    return (
+        len(machine.log.nodes),
+        len(machine.log.classes),
+        bool(trace.handed),
+        bool(book.entries),
+        book.by_library,
+        book.was_run,
+        book.main_raised,
+        book.threads_raised,
+        book.running,
+        book.spins,
+        machine.hooked,
+        machine.unhooked is None,
+        frozenset(machine.advancing),
+        (len(trace.creating), len(machine.summaries.recursive)) if machine.precision.coarse else None,
+    )
+
+
+def _before(machine: Engine) -> tuple[object, ...]:
+    """What must not change while a call runs that is remembered: it was no part of another one, and ended nothing."""
+    summaries = machine.summaries
+    return (
+        machine.raised,
+        summaries.provisional,
+        summaries.asked,
+        len(machine.log.ends),
+        machine.schedule_book.spins,
+        len(machine.unheld),
+    )
+
+
+def place_of(machine: Engine, key: str, given: object, context: int) -> object:
+    """Where a call is remembered, by what is called with what; None where it is not. `key` names what is called.
+
+    Recursions have a memory of their own, as loops have where precision is given up; outside of loops the main body goes on.
+    """
+    precision = machine.precision
+    if (
+        not machine.language.recalls
+        or not (precision.loops or machine.schedule_book.running)
+        or machine.watch is not None
+        or machine.handling
+        or machine.making
+        or machine.summaries.running
+        or not machine.log.tells_once
+        or key in machine.summaries.small
+    ):
+        return None
+    where = bool(machine.catchers), bool(precision.loops), bool(precision.fixpoints), precision.coarse
+    return given, context, where
