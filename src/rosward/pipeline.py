@@ -149,6 +149,7 @@ def extract(
                 tests=tests,
                 exclude=exclude,
                 follow_links=follow_links,
+                store=store,
             ),
             request,
             unknown,
@@ -215,7 +216,7 @@ def _extract(
     if request.deploys:
         from rosward.analysis.launched import of_request  # a fifth of the start-up, for those who launch something
 
-        gathered, systems = of_request(request, read, progress)
+        gathered, systems = of_request(request, read, progress, jobs=jobs, store=store)
     else:
         gathered = of_sources(read, request.params, progress, assumed=assumed, jobs=jobs, store=store)
     findings = Findings((*read.workspace.findings, *gathered.findings, *read.library.findings))
@@ -227,6 +228,7 @@ def _extract(
         *(SourceFile(workspace.root / name, name) for name in headers),
     )
     reasons = Counter(skipped.reason for skipped in workspace.skipped)
+    read.sources.keep_summaries(read.library.facts)
     read.library.given_back()
     return Result(
         _network(read, gathered, findings, unknown, wanted),

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from rosward import Result, extract
 from rosward.analysis import outcome_form, runner, workers
-from rosward.analysis.outcome import Done, Outcome, Outset, outcome_of
+from rosward.analysis.outcome import Done, Outcome, Outset, Task, outcome_of
 from rosward.analysis.outcome_form import ANSWER, ENTRY, OUTCOME, SEEN, Answer
 from rosward.analysis.seen import AskedVariable, ClassSeen, Method, Seen
 from rosward.cache.codec import Codec, loaded, text
@@ -153,10 +153,10 @@ def test_a_worker_that_dies_costs_its_process(
     folder = workspace(tmp_path)
     whole = extract(folder)
 
-    def dying(outset: Outset, entry: Entry) -> Done:
-        if entry.label == "demo0/p1":
+    def dying(outset: Outset, task: Task) -> Done:
+        if task.entry.label == "demo0/p1":
             os.kill(os.getpid(), how)
-        return outcome_of(outset, entry)
+        return outcome_of(outset, task)
 
     monkeypatch.setattr(runner, "outcome_of", dying)
     found = extract(folder, jobs=2)
@@ -178,10 +178,10 @@ def test_what_fails_in_a_worker_fails_here(tmp_path: Path, monkeypatch: pytest.M
     """Without the net, the error is seen as it is without workers."""
     folder = workspace(tmp_path)
 
-    def failing(outset: Outset, entry: Entry) -> Done:
-        if entry.label == "demo0/p1":
+    def failing(outset: Outset, task: Task) -> Done:
+        if task.entry.label == "demo0/p1":
             raise ZeroDivisionError
-        return outcome_of(outset, entry)
+        return outcome_of(outset, task)
 
     monkeypatch.setattr(runner, "outcome_of", failing)
     with pytest.raises(ZeroDivisionError):
@@ -192,11 +192,11 @@ def test_what_fails_in_a_worker_fails_here(tmp_path: Path, monkeypatch: pytest.M
 def test_the_order_in_which_workers_end_does_not_matter(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = workspace(tmp_path)
 
-    def slowly(outset: Outset, entry: Entry) -> Done:
+    def slowly(outset: Outset, task: Task) -> Done:
         import time
 
-        time.sleep(random.Random(entry.label + str(os.getpid())).random() / 20)
-        return outcome_of(outset, entry)
+        time.sleep(random.Random(task.entry.label + str(os.getpid())).random() / 20)
+        return outcome_of(outset, task)
 
     alone = bytes_of(extract(folder))
     monkeypatch.setattr(runner, "outcome_of", slowly)

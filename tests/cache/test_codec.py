@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import json
-from typing import Any, get_type_hints
+from typing import Any, get_args, get_origin, get_type_hints
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from rosward.cache import codec, records
-from rosward.cache.codec import OPTION, PLAIN, Codec, MalformedError, loaded, text
+from rosward.cache.codec import OPTION, PLAIN, TEXT, Codec, MalformedError, loaded, record, text
 from rosward.findings import Finding
 from rosward.network.asked import Asked, LaunchAsked
 from rosward.network.graph import Action, Network, Service, Topic
@@ -64,43 +64,31 @@ def _any_of(kind: type[Any]) -> st.SearchStrategy[Any]:
     """Any record of a class: what it is made of stands in its annotations."""
     return st.builds(
         lambda values: kind(**values),
-        st.fixed_dictionaries({name: st.from_type(hint) for name, hint in get_type_hints(kind).items()}),
+        st.fixed_dictionaries({name: _of(hint) for name, hint in get_type_hints(kind).items()}),
     )
+
+
+def _of(hint: Any) -> st.SearchStrategy[Any]:
+    """Any value of such a type; of what there may be many, there are few."""
+    if get_origin(hint) is not tuple:
+        return st.from_type(hint)
+    first, *rest = get_args(hint)
+    return st.lists(_of(first), max_size=1).map(tuple) if rest == [...] else st.tuples(*map(_of, (first, *rest)))
 
 
 for _each in CODECS:
     if _each is not Finding:
         st.register_type_strategy(_each, _any_of)
 
-# Of these stand many in one record: each is small
-_ENDS = st.lists(st.from_type(End), max_size=1).map(tuple)
-st.register_type_strategy(
-    NodeCall, st.builds(NodeCall, st.lists(st.from_type(Place), max_size=1).map(tuple), _ENDS, _ENDS, _ENDS)
+
+@pytest.mark.parametrize(
+    "codecs", [{"sink": records.END}, {"kind": TEXT}, {"kind": TEXT, "name": TEXT, "more": TEXT}], ids=len
 )
-st.register_type_strategy(
-    NodeSink,
-    st.builds(
-        NodeSink,
-        st.from_type(End),
-        st.from_type(Place),
-        *[_ENDS] * 4,
-        st.lists(st.tuples(st.from_type(End), st.lists(st.from_type(Place), max_size=1).map(tuple)), max_size=1).map(
-            tuple
-        ),
-        st.lists(st.from_type(NodeCall), max_size=1).map(tuple),
-    ),
-)
-st.register_type_strategy(
-    NodeCallback,
-    st.builds(
-        NodeCallback,
-        _ENDS,
-        TEXTS,
-        st.from_type(Place),
-        st.lists(st.tuples(st.from_type(End), _ENDS), max_size=1).map(tuple),
-        st.none() | st.integers(),
-    ),
-)
+def test_a_field_that_is_left_out_is_an_error(codecs: dict[str, Codec[Any]]) -> None:
+    with pytest.raises(TypeError, match="has the fields"):
+        record(End, *codecs.values())
+    with pytest.raises(TypeError, match="has the fields"):
+        record(NodeSink, **codecs)
 
 
 def test_each_codec_is_tested() -> None:

@@ -12,13 +12,12 @@ from typing import Any
 import pytest
 
 from rosward import Result, extract
-from rosward.analysis.outcome import Done, Outset, outcome_of
+from rosward.analysis.outcome import Done, Outset, Task, outcome_of
 from rosward.cache.codec import loaded, text
 from rosward.cache.results import _written as written
 from rosward.cache.results import keep_result, kept_result, question_of
 from rosward.cache.store import Store
 from rosward.cli import main
-from rosward.effects.entry import Entry
 from rosward.engine.budget import Budget
 from rosward.source.disk import watching
 from rosward.source.kept import cache_folder
@@ -229,9 +228,9 @@ class Running:
         self.ran: list[str] = []
         monkeypatch.setattr("rosward.analysis.runner.outcome_of", self._noted)
 
-    def _noted(self, outset: Outset, entry: Entry) -> Done:
-        self.ran.append(entry.label)
-        return outcome_of(outset, entry)
+    def _noted(self, outset: Outset, task: Task) -> Done:
+        self.ran.append(task.entry.label)
+        return outcome_of(outset, task)
 
     def __call__(self, *paths: Path, **options: Any) -> Result:
         self.ran.clear()
@@ -317,7 +316,8 @@ def test_a_question_that_has_no_meaning_is_not_answered(
 
     def forged(store: Store, kind: str, asked: bytes, answer: bytes) -> None:
         head, _, rest = answer.partition(b"\n")
-        kept(store, kind, asked, text([*loaded(head)[:2], [question]]) + b"\n" + rest)
+        if kind == "process":
+            kept(store, kind, asked, text([*loaded(head)[:2], [question]]) + b"\n" + rest)
 
     with monkeypatch.context() as patch:
         patch.setattr(Store, "keep", forged)

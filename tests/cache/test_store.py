@@ -87,6 +87,52 @@ def test_it_stays_within_its_bounds(tmp_path: Path) -> None:
     assert store.kept("a", b"29", _same) is not None
 
 
+def test_it_is_looked_through_now_and_then(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By whichever runs it is filled, and however much each writes: it never outgrows its bounds, and few runs pay for that."""
+    looks: list[int] = []
+    tidy = Store._tidy
+
+    def counted(store: Store) -> None:
+        looks.append(1)
+        tidy(store)
+
+    monkeypatch.setattr(Store, "_tidy", counted)
+    largest = 0
+    for number in range(400):
+        store = Store(str(tmp_path), most_bytes=100_000)
+        store.keep("a", b"%d" % number, os.urandom(500))
+        if number % 100 == 0:
+            store.keep("b", b"%d" % number, os.urandom(20_000))
+        store.close()
+        largest = max(largest, sum(p.stat().st_size for p in _files(tmp_path)))
+    assert 80_000 < largest <= 100_000 + 20_000
+    assert 20 < len(looks) < 60
+
+
+def test_runs_that_write_little_are_counted_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    looks: list[int] = []
+    monkeypatch.setattr(Store, "_tidy", lambda _: looks.append(1))
+    for _ in range(600):
+        store = Store(str(tmp_path))
+        store.keep("a", b"q", b"answer")
+        store.close()
+    assert len(looks) == 2
+
+
+def test_what_is_no_tally_makes_each_run_look(tmp_path: Path) -> None:
+    """A pipe would be written to for ever."""
+    store = Store(str(tmp_path), most_bytes=10_000)
+    store.keep("a", b"q", b"answer")
+    store.close()
+    (tally,) = tmp_path.rglob("written")
+    tally.unlink()
+    os.mkfifo(tally)
+    store.keep("a", b"other", os.urandom(20_000))
+    store.close()
+    assert not tally.exists()
+    assert store.kept("a", b"other", _same) is None
+
+
 def test_a_folder_that_cannot_be_written_keeps_nothing(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("", encoding="utf-8")
     store = Store(str(tmp_path / "file"))

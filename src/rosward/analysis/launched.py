@@ -9,15 +9,19 @@ The same program, started in the same way, is interpreted once, and is in the re
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.analysis.deep_stack import with_deep_stack
+from rosward.analysis.outcome import Outcome, Task
+from rosward.analysis.outcome import Outset as ProcessOutset
 from rosward.analysis.plan import Plan
-from rosward.analysis.process import Run, how_started, run
+from rosward.analysis.process import how_started
 from rosward.analysis.read import EVERYTHING, Progress, SourcePath, SourcesRead, read_sources
-from rosward.analysis.seen import note_variables, seen_of
+from rosward.analysis.runner import Runner
+from rosward.analysis.seen import note_variables
 from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.standalone import Gathered
 from rosward.analysis.systems import Outset, System, systems_of
@@ -47,7 +51,13 @@ from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
 from rosward.source.workspace import Workspace
 
+if TYPE_CHECKING:
+    from rosward.cache.store import Store
+
 __all__ = ["Deployed", "launched", "of_request"]
+
+
+_MISSING: Final = "what this program creates is missing"
 
 
 class Deployed(NamedTuple):
@@ -57,11 +67,17 @@ class Deployed(NamedTuple):
     systems: tuple[LaunchSystem, ...]
 
 
-def of_request(request: Request, read: SourcesRead, progress: Progress) -> Deployed:
-    """Start all that is asked for. Raises UnknownRequestError where it is not there."""
+def of_request(
+    request: Request, read: SourcesRead, progress: Progress, *, jobs: int = 1, store: Store | None = None
+) -> Deployed:
+    """Start all that is asked for. Raises UnknownRequestError where it is not there. See `standalone.of_sources` for `jobs` and `store`."""
     outset = Outset.of(read)
     systems, findings, asked = systems_of(request, outset)
-    nodes, doubts = _of_systems(systems, read.sources, outset, progress, asked)
+    started = _start(systems, outset)
+    with Runner(read, ProcessOutset(read.library, read.budget, None, read.distro), jobs, store) as runner:
+        tasks = started.tasks
+        found = runner.all(tasks, lambda done: progress("analysing", done, len(tasks)))
+    nodes, doubts = _of_systems(systems, read.sources, outset, started, found, runner.lost, asked)
     findings += not_given(asked)
     doubts += _never_launched(systems, read.plan) if request.all_launch else []
     steps = Steps(net=read.budget.net)
@@ -119,24 +135,47 @@ class _Made(NamedTuple):
     findings: tuple[Finding, ...]
 
 
+class _All(NamedTuple):
+    """What becomes of each program of each system, and what of it is to be interpreted."""
+
+    programs: list[list[_Started | Finding]]
+    tasks: list[Task]
+
+
+def _start(systems: Iterable[System], outset: Outset) -> _All:
+    tasks, net = _Tasks(outset), outset.budget.net
+    programs = [
+        [guarded(partial(tasks.of, p), p.started.place, _MISSING, net=net) for p in system.programs]
+        for system in systems
+    ]
+    return _All(programs, tasks.all())
+
+
 def _of_systems(
-    systems: Iterable[System], sources: SourceTree, outset: Outset, progress: Progress, asked: Variables
+    systems: Iterable[System],
+    sources: SourceTree,
+    outset: Outset,
+    every: _All,
+    outcomes: Sequence[Outcome],
+    lost: Collection[str],
+    asked: Variables,
 ) -> Gathered:
     """The nodes of launched systems, `asked` what their programs ask for. What several systems start in the same way is in the result once."""
-    runs = _Runs(outset)
+    by_task = {id(task): outcome for task, outcome in zip(every.tasks, outcomes, strict=True)}
     findings = Findings()
     known: dict[str, list[tuple[Node, ...]]] = {}
     nodes: list[Node] = []
-    programs = [p for s in systems for p in s.programs]
     packages: set[str] = set()
-    number = 0
-    for system in systems:
+    for system, of_system in zip(systems, every.programs, strict=True):
         processes: dict[str, list[Node]] = {}
-        for program in system.programs:
-            progress("analysing", number, len(programs))
-            number += 1
-            missing = "what this program creates is missing"
-            found = guarded(partial(runs.of, program), program.started.place, missing, net=outset.budget.net)
+        for program, started in zip(system.programs, of_system, strict=True):
+            found = (
+                started
+                if isinstance(started, Finding)
+                else guarded(
+                    partial(_made, started, outset, by_task), program.started.place, _MISSING, net=outset.budget.net
+                )
+            )
             made = _Made((), (found,)) if isinstance(found, Finding) else found
             findings.update(made.findings)
             processes.setdefault(program.process, []).extend(made.nodes)
@@ -144,11 +183,15 @@ def _of_systems(
         for label, members in processes.items():
             nodes += _distinct(label, members, known)
     findings.update(_of_packages(sources, outset.workspace, packages))
-    seen = [seen_of(each, outset.library) for each in runs.all()]
+    seen = [each.seen for each in outcomes]
     for one in seen:
         note_variables(one, asked)
     entered = {code for one in seen for code in one.entered}
-    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and m.code.key in entered]
+    read = [
+        m
+        for f in sorted(outset.related.difference(lost))
+        if (m := sources.module(f)) is not None and m.code.key in entered
+    ]
     missing = "unreachable code is not reported"
     told = guarded(
         lambda: unreached_of(seen, read, outset.library.facts, sources, everywhere=False),
@@ -174,47 +217,34 @@ def _distinct(label: str, members: list[Node], known: dict[str, list[tuple[Node,
     return [replace(n, process=name) for n in members]
 
 
-class _Runs:
-    """The programs that were run: one that is started twice in the same way is interpreted once."""
+class _Started(NamedTuple):
+    """One program as it is started: the process that is run for it, or what is declared of it, and the classes of the sources that it loads."""
+
+    program: Launched
+    task: Task | None
+    log: EffectLog | None
+    loaded: tuple[_Started, ...]
+
+
+@final
+class _Tasks:
+    """The programs that are run: one that is started twice in the same way is interpreted once."""
 
     def __init__(self, outset: Outset) -> None:
         self._outset = outset
-        self._runs: dict[object, Run] = {}
+        self._tasks: dict[object, Task] = {}
 
-    def all(self) -> list[Run]:
-        """What was interpreted."""
-        return list(self._runs.values())
+    def all(self) -> list[Task]:
+        """What is to be interpreted."""
+        return list(self._tasks.values())
 
-    def of(self, program: Launched) -> _Made:
-        """The nodes of a program and its findings; with those of classes of the sources that it loads, though it is declared."""
-        log, done, loaded = self._log(program)
-        made = [self._made(program, log, done), *(self.of(each) for each in loaded)]
-        return _Made(tuple(n for m in made for n in m.nodes), tuple(f for m in made for f in m.findings))
-
-    def _made(self, program: Launched, log: EffectLog, done: frozenset[tuple[object, ...]]) -> _Made:
-        started = program.started
-        place = started.place if started.place.file else None
-        process = Process(
-            *(program.package, program.executable, program.process, done, place, program.conditional),
-            shell=self._outset.library.environment,
-            interface=_interface(program),
-            lacks=(program.unknown,) if program.unknown is not None else (),
-        )
-        nodes, doubts = collect(log, process, self._outset.distro)
-        line = read_words(Series(program.configuration.own), program.configuration)
-        told = [
-            Finding("RW320", f"rcl rejects the command line of {program.process}: {error}", started.place)
-            for error in line.errors
-        ]
-        doubtful = tuple(dict.fromkeys((*line.open, *line.holes)))
-        if doubtful:
-            told.append(unknown_arguments(doubtful, started.place))
-        own = (*told, *started.told, *(f for f in log.findings if f.place == started.place))
-        about = tuple(node.fqn for node in nodes)
-        return _Made(tuple(nodes), (*log.findings, *doubts, *(f._replace(nodes=about) for f in own)))
-
-    def _log(self, program: Launched) -> tuple[EffectLog, frozenset[tuple[object, ...]], list[Launched]]:
+    def of(self, program: Launched) -> _Started:
+        """What becomes of a program, before anything is interpreted."""
         outset = self._outset
+        if program.entry is not None:
+            return _Started(program, self._task(program.entry, program.configuration), None, ())
+        if program.program is None:
+            return _Started(program, None, undeclared(program), ())
         loaded: list[Launched] = []
 
         def take(node: PluginNode) -> bool:
@@ -225,32 +255,85 @@ class _Runs:
                 loaded.append(program._replace(entry=entry, program=None, configuration=own, conditional=conditional))
             return entry is not None
 
-        if program.entry is not None:
-            found = self._run(program.entry, program.configuration)
-            return found.log, found.done, loaded
-        if program.program is not None:
-            log = declared(
-                program.program,
-                program.configuration,
-                program.started.place,
-                outset.declarations,
-                outset.distro,
-                outset.text_at,
-                take,
-            )
-        else:
-            log = undeclared(program)
-        done = frozenset[tuple[object, ...]]()
-        for index, end in enumerate(log.ends):
-            done = end if index == 0 else done & end
-        return log, done, loaded
+        log = declared(
+            program.program,
+            program.configuration,
+            program.started.place,
+            outset.declarations,
+            outset.distro,
+            outset.text_at,
+            take,
+        )
+        return _Started(program, None, log, tuple(map(self.of, loaded)))
 
-    def _run(self, entry: Entry, configuration: Configuration) -> Run:
+    def _task(self, entry: Entry, configuration: Configuration) -> Task:
         key = (entry, *how_started(configuration))
-        found = self._runs.get(key)
-        if found is None:
-            found = self._runs[key] = run(self._outset.library, entry, self._outset.budget, configuration)
-        return found
+        return self._tasks.setdefault(key, Task(entry, configuration))
+
+
+def _made(started: _Started, outset: Outset, outcomes: Mapping[int, Outcome]) -> _Made:
+    """The nodes of a program and its findings; with those of classes of the sources that it loads, though it is declared."""
+    if started.task is not None:
+        outcome = outcomes[id(started.task)]
+        own = _told(started.program, _made_by(started.program, outcome), outcome.findings)
+    else:
+        assert started.log is not None
+        # what is doubtful of a name is about its node alone, though a declared one stands at the place of its start, too
+        own = _told(started.program, _declared(started.program, started.log, outset), started.log.findings)
+    made = [own, *(_made(each, outset, outcomes) for each in started.loaded)]
+    return _Made(tuple(n for m in made for n in m.nodes), tuple(f for m in made for f in m.findings))
+
+
+def _made_by(program: Launched, outcome: Outcome) -> _Made:
+    """What a process adds, as the process that is started: another one may be interpreted in the same way."""
+    place = program.started.place
+    by = place if place.file else None
+    nodes = tuple(
+        replace(
+            node,
+            package=program.package,
+            executable=program.executable,
+            process=program.process,
+            launched_by=by,
+            conditional=node.conditional or program.conditional,
+            entities=tuple(replace(e, conditional=True) for e in node.entities)
+            if program.conditional
+            else node.entities,
+        )
+        for node in outcome.nodes
+    )
+    return _Made(nodes, outcome.findings)
+
+
+def _declared(program: Launched, log: EffectLog, outset: Outset) -> _Made:
+    done = frozenset[tuple[object, ...]]()
+    for index, end in enumerate(log.ends):
+        done = end if index == 0 else done & end
+    place = program.started.place if program.started.place.file else None
+    process = Process(
+        *(program.package, program.executable, program.process, done, place, program.conditional),
+        shell=outset.library.environment,
+        interface=_interface(program),
+        lacks=(program.unknown,) if program.unknown is not None else (),
+    )
+    nodes, doubts = collect(log, process, outset.distro)
+    return _Made(tuple(nodes), (*log.findings, *doubts))
+
+
+def _told(program: Launched, made: _Made, found: Iterable[Finding]) -> _Made:
+    """With what is doubtful of its start, which is about each of its nodes."""
+    started = program.started
+    line = read_words(Series(program.configuration.own), program.configuration)
+    told = [
+        Finding("RW320", f"rcl rejects the command line of {program.process}: {error}", started.place)
+        for error in line.errors
+    ]
+    doubtful = tuple(dict.fromkeys((*line.open, *line.holes)))
+    if doubtful:
+        told.append(unknown_arguments(doubtful, started.place))
+    own = (*told, *started.told, *(f for f in found if f.place == started.place))
+    about = tuple(node.fqn for node in made.nodes)
+    return _Made(made.nodes, (*made.findings, *(f._replace(nodes=about) for f in own)))
 
 
 def _interface(program: Launched) -> Interface:

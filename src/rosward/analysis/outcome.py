@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What does one process of the sources add to the result? Its nodes, its findings, and what was seen of its code; all plain records."""
+"""What does one process add to the result? Its nodes, its findings, and what was seen of its code; all plain records."""
 
 from __future__ import annotations
 
@@ -21,16 +21,23 @@ from rosward.ros.entities import Node
 from rosward.rules import Severity
 from rosward.source.location import Place
 
-__all__ = ["Done", "Outcome", "Outset", "outcome_of"]
+__all__ = ["Done", "Outcome", "Outset", "Task", "outcome_of"]
 
 
 class Outset(NamedTuple):
-    """What all processes of the sources have in common."""
+    """What all processes have in common. `configuration`: how those are started of which nobody says how."""
 
     library: Library
     budget: Budget
     configuration: Configuration | None
     distro: Distro
+
+
+class Task(NamedTuple):
+    """A process that is to be run. `configuration`: how a launch file starts it; None: nobody says that it does."""
+
+    entry: Entry
+    configuration: Configuration | None = None
 
 
 class Outcome(NamedTuple):
@@ -49,19 +56,23 @@ class Done(NamedTuple):
     questions: tuple[Question, ...] = ()
 
 
-def outcome_of(outset: Outset, entry: Entry) -> Done:
-    """Run a process, and name what it makes. A probe that makes nothing, and has nothing to tell, adds nothing."""
-    each = run(outset.library, entry, outset.budget, outset.configuration)
+def outcome_of(outset: Outset, task: Task) -> Done:
+    """Run a process, and name what it makes. A probe that makes nothing, and has nothing to tell, adds nothing, unless it is launched."""
+    entry, is_launched = task.entry, task.configuration is not None
+    each = run(outset.library, entry, outset.budget, task.configuration if is_launched else outset.configuration)
     seen = seen_of(each, outset.library)
-    questions = () if each.reads is None else each.reads.questions
-    if entry.probe and not (each.log.nodes or each.log.entities or _tells(each)):
+    reads = each.reads
+    questions = () if reads is None else reads.questions
+    if reads is not None and outset.library.has_further_models:
+        questions += tuple(("model", name) for name in reads.models)
+    if entry.probe and not is_launched and not (each.log.nodes or each.log.entities or _tells(each)):
         return Done(Outcome((), (), bool(each.log.nodes), seen), questions)
     process = Process(
         entry.package,
         entry.executable,
         entry.label,
         each.done,
-        assumed=entry.assumed,
+        assumed=entry.assumed and not is_launched,
         shell=outset.library.environment,
     )
     missing = "the nodes of this program are missing"

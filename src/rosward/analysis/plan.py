@@ -15,8 +15,6 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.effects.entry import Entry
 from rosward.engine.library import Library
 from rosward.findings import Finding
-from rosward.ir import ops
-from rosward.ir.program import Module
 from rosward.records import NamedTuple
 from rosward.ros.entities import assumed_label
 from rosward.source.standard_library import STANDARD_LIBRARY
@@ -68,7 +66,8 @@ def _entry(source: SourceFile | None, file: str, *, classes: tuple[str, ...] = (
 def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Plan:
     """The processes of a workspace, in a fixed order, each with a label of its own."""
     files = {f.relative: f for f in workspace.files}
-    related = _related(files, sources, library)
+    importers: dict[str, set[str]] = {}
+    related = _related(files, sources, library, importers)
     entries: list[Entry] = []
     covered: dict[str, set[str]] = {}
     for executable in workspace.executables:
@@ -84,13 +83,14 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
         else:
             covered.setdefault(file, set()).add("")
             entries.append(Entry(file, "__main__", "", (), package, executable.name, label))
-    imported = _imported(files, related, sources)
+    imported = {file for file, by in importers.items() if by != {file}}
     for file in sorted(related):
         module = sources.module(file)
         if module is None or "" in covered.get(file, ()):
             continue
         if module.has_main:
-            if not (_main_calls(module) and _main_calls(module) <= covered.get(file, set())):
+            calls = sources.main_calls(module)
+            if not (calls and calls <= covered.get(file, set())):
                 entries.append(_entry(files[file], file))
         elif file not in covered and file not in imported:
             entries.append(_entry(files[file], file, probe=True))
@@ -114,12 +114,14 @@ def _distinct(entries: list[Entry]) -> list[Entry]:
     return result
 
 
-def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library) -> set[str]:
+def _related(
+    files: dict[str, SourceFile], sources: SourceTree, library: Library, importers: dict[str, set[str]]
+) -> set[str]:
     """The files whose imports lead, directly or through other files, to a modelled ROS library.
 
     Nothing else can create an entity: a node is made by rclpy only, an entity has a type. A file that cannot be read is not related.
+    `importers` gets the files that import each one.
     """
-    links: dict[str, set[str]] = {}
     related: set[str] = set()
     for file in files:
         module = sources.module(file)
@@ -131,10 +133,10 @@ def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library
                 related.add(file)
             found = _follow(name, file, sources)
             if found:
-                links.setdefault(found, set()).add(file)
+                importers.setdefault(found, set()).add(file)
     work = list(related)
     while work:
-        for file in links.get(work.pop(), ()):
+        for file in importers.get(work.pop(), ()):
             if file not in related:
                 related.add(file)
                 work.append(file)
@@ -158,41 +160,3 @@ def _is_ros(top: str, library: Library) -> bool:
 def _is_interfaces(name: str) -> bool:
     """Whether a module name is that of generated interfaces: who has a type can make an entity on a node that it is given."""
     return name.split(".")[1:2] in (["msg"], ["srv"], ["action"])
-
-
-def _imported(files: dict[str, SourceFile], related: set[str], sources: SourceTree) -> set[str]:
-    """The related files that another file imports."""
-    found: set[str] = set()
-    for file in files:
-        module = sources.module(file)
-        if module is None:
-            continue
-        for name in module.imports:
-            target = _follow(name, file, sources)
-            if target and target != file:
-                found.add(target)
-    return found & related
-
-
-def _main_calls(module: Module) -> set[str]:
-    """The functions that the `__main__` block calls, where it does nothing else; empty where it does more."""
-    block = next((op for op in module.code.ops if isinstance(op, ops.If) and op.then and _tests_name(module, op)), None)
-    if block is None:
-        return set()
-    names: set[str] = set()
-    for op in block.then:
-        if isinstance(op, ops.LoadGlobal):
-            names.add(op.name)
-        elif not isinstance(op, (ops.Call, ops.LoadAttr, ops.Const)):
-            return set()
-    return names - {"sys", "exit", "SystemExit"}
-
-
-def _tests_name(module: Module, wanted: ops.If) -> bool:
-    """Whether an `if` of the module tests `__name__`."""
-    before: list[ops.Op] = []
-    for op in module.code.ops:
-        if op is wanted:
-            break
-        before.append(op)
-    return any(isinstance(op, ops.LoadGlobal) and op.name == "__name__" and op.line == wanted.line for op in before)

@@ -29,6 +29,8 @@ from rosward.source.workspace import Workspace
 
 if TYPE_CHECKING:
     from rosward.analysis.compiled import Compiled
+    from rosward.analysis.summaries import Summaries
+    from rosward.cache.store import Store
 
 __all__ = ["EVERYTHING", "NothingToReadError", "Progress", "SourcePath", "SourcesRead", "read_sources", "silent"]
 
@@ -68,8 +70,9 @@ def read_sources(
     tests: bool = False,
     exclude: Sequence[str | Exclusion] = (),
     follow_links: bool = False,
+    store: Store | None = None,
 ) -> SourcesRead:
-    """Read what is under `paths`, and the launch files that a request names by their path.
+    """Read what is under `paths`, and the launch files that a request names by their path. What a store knows of a file is not read from it.
 
     `environment` has the variables that are given. Raises SurroundingsError where one of them contradicts the distro.
     """
@@ -90,10 +93,13 @@ def read_sources(
     if not (workspace.files or workspace.launch_files or workspace.cpp_sources or request.nodes):
         raise NothingToReadError(f"nothing to read: no Python, C++ or launch file in {', '.join(map(str, wanted))}")
     compiled = _compiled(workspace, distro, bounds) if workspace.cpp_sources else None
-    sources = SourceTree(workspace, [Path(u) for u in underlays], net=bounds.net, compiled=compiled)
+    folders = tuple(Path(m) for m in models)
+    summaries = None if store is None else _summaries(store, folders, workspace)
+    sources = SourceTree(
+        workspace, [Path(u) for u in underlays], net=bounds.net, compiled=compiled, summaries=summaries
+    )
     tell = progress or silent
     sources.read_all(lambda done: tell("reading", done, len(workspace.files)))
-    folders = tuple(Path(m) for m in models)
     library = Library(sources, own_models(), folders, shell(variables), net=bounds.net)
     steps = Steps(net=bounds.net)
     missing = "each file is analysed as a program of its own, under its own name"
@@ -110,6 +116,16 @@ def _compiled(workspace: Workspace, distro: Distro, budget: Budget) -> Compiled:
     from rosward.analysis.compiled import Compiled
 
     return Compiled(workspace, distro, net=budget.net)
+
+
+def _summaries(store: Store, folders: Sequence[Path], workspace: Workspace) -> Summaries | None:
+    """What a store knows of the files."""
+    from rosward.analysis.models_state import models_state
+    from rosward.analysis.summaries import Summaries
+    from rosward.cache.version import version_key
+
+    models = models_state(folders)
+    return None if models is None else Summaries(store, version_key(), models, str(workspace.root))
 
 
 def silent(_what: str, _done: int, _all: int) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where does each process of the sources run: here, or in a worker?
+"""Where does each process run: here, or in a worker? Or is known what it adds?
 
 Small sources are done here: workers begin where much is left after a moment's work. By then, most models that processes need are there, and
 every worker has them. What comes out does not depend on where.
@@ -14,7 +14,7 @@ from functools import partial
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.analysis.outcome import Done, Outcome, Outset, outcome_of
+from rosward.analysis.outcome import Done, Outcome, Outset, Task, outcome_of
 from rosward.analysis.read import SourcesRead
 from rosward.analysis.seen import Seen
 from rosward.effects.entry import Entry
@@ -41,6 +41,15 @@ def _behind(done: Callable[[int], None], before: int, number: int) -> None:
     done(before + number)
 
 
+def _known(store: Store, read: SourcesRead, outset: Outset) -> Known | None:
+    from rosward.analysis.known import Known
+    from rosward.analysis.models_state import models_state
+    from rosward.cache.version import version_key
+
+    models = models_state(read.models)
+    return None if models is None else Known(store, version_key(), models, read, outset)
+
+
 @final
 class Runner:
     """Runs processes, by so many workers, those of which the store knows nothing. To be closed."""
@@ -51,14 +60,7 @@ class Runner:
         self._jobs = jobs
         self._began = time.thread_time()
         self._workers: Workers | None = None
-        # what a process with these depends on, its questions do not say
-        is_plain = outset.configuration is None and not read.models
-        self._known: Known | None = None
-        if store is not None and is_plain:
-            from rosward.analysis.known import Known
-            from rosward.cache.version import version_key
-
-            self._known = Known(store, version_key(), read, outset)
+        self._known = None if store is None else _known(store, read, outset)
         self._exits = ExitStack()
         self.lost: set[str] = set()
         """The files of processes whose workers died."""
@@ -74,29 +76,31 @@ class Runner:
             self._known.keep()
 
     def one(self, entry: Entry) -> Outcome:
-        """What a process adds: what is known of it, or it runs here."""
-        return self.all([entry], lambda _: None)[0]
+        """What a process of the sources adds: what is known of it, or it runs here."""
+        return self.all([Task(entry)], lambda _: None)[0]
 
-    def all(self, entries: Sequence[Entry], done: Callable[[int], None]) -> list[Outcome]:
+    def all(self, tasks: Sequence[Task], done: Callable[[int], None]) -> list[Outcome]:
         """What each of several processes adds, none of which depends on another. `done` is told how many there are so far."""
-        known = {} if self._known is None else {e: o for e in entries if (o := self._known.of(e)) is not None}
-        left = [entry for entry in entries if entry not in known]
+        known = (
+            {} if self._known is None else {n: o for n, t in enumerate(tasks) if (o := self._known.of(t)) is not None}
+        )
+        left = [task for number, task in enumerate(tasks) if number not in known]
         found: list[Outcome] = []
-        for number, entry in enumerate(left):
+        for number, task in enumerate(left):
             if self._are_worth_it(len(left) - number):
                 found += self._by_workers(left[number:], partial(_behind, done, len(known) + number))
                 break
             done(len(known) + number)
-            found.append(self._here(entry))
-        known.update(zip(left, found, strict=True))
-        return [known[entry] for entry in entries]
+            found.append(self._here(task))
+        rest = iter(found)
+        return [known[number] if number in known else next(rest) for number in range(len(tasks))]
 
-    def _here(self, entry: Entry) -> Outcome:
-        return self._done(entry, outcome_of(self._outset, entry))
+    def _here(self, task: Task) -> Outcome:
+        return self._done(task, outcome_of(self._outset, task))
 
-    def _done(self, entry: Entry, done: Done) -> Outcome:
+    def _done(self, task: Task, done: Done) -> Outcome:
         if self._known is not None:
-            self._known.done(entry, done.questions, done.outcome)
+            self._known.done(task, done.questions, done.outcome)
         return done.outcome
 
     def _are_worth_it(self, left: int) -> bool:
@@ -110,35 +114,34 @@ class Runner:
 
         return can_fork()
 
-    def _by_workers(self, entries: Sequence[Entry], done: Callable[[int], None]) -> list[Outcome]:
-        from rosward.analysis.outcome_form import ENTRY
+    def _by_workers(self, tasks: Sequence[Task], done: Callable[[int], None]) -> list[Outcome]:
+        from rosward.analysis.outcome_form import TASK
         from rosward.analysis.workers import Workers
         from rosward.cache.codec import text
 
         if self._workers is None:
-            for (
-                entry
-            ) in self._read.plan.entries:  # what all of them would read, each for itself, and this process after them
-                if entry.program:
-                    self._read.sources.program(entry.program)
+            # what all of them would read, each for itself, and this process after them
+            planned = self._read.plan.entries if tasks[0].configuration is None else [task.entry for task in tasks]
+            for name in dict.fromkeys(entry.program for entry in planned if entry.program):
+                self._read.sources.program(name)
             self._workers = self._exits.enter_context(Workers(self._work, self._jobs))
-        answers = self._workers.all([text(ENTRY.write(entry)) for entry in entries], done)
-        return [self._outcome(entry, answer) for entry, answer in zip(entries, answers, strict=True)]
+        answers = self._workers.all([text(TASK.write(task)) for task in tasks], done)
+        return [self._outcome(task, answer) for task, answer in zip(tasks, answers, strict=True)]
 
-    def _outcome(self, entry: Entry, answer: bytes | Lost | None) -> Outcome:
+    def _outcome(self, task: Task, answer: bytes | Lost | None) -> Outcome:
         from rosward.analysis.outcome_form import ANSWER
         from rosward.analysis.workers import Lost
         from rosward.cache.codec import loaded
 
         if answer is None:
-            return self._here(entry)
+            return self._here(task)
         if isinstance(answer, Lost):
-            return self._lost(entry, answer)
+            return self._lost(task.entry, answer)
         found = ANSWER.read(loaded(answer))
         self._read.sources.read_elsewhere(found.python, found.cpp, found.findings)
         self._read.library.findings.update(found.stubs)
         saw_elsewhere(looks_of(found.looks))
-        return self._done(entry, Done(found.outcome, found.questions))
+        return self._done(task, Done(found.outcome, found.questions))
 
     def _lost(self, entry: Entry, lost: Lost) -> Outcome:
         """The process of a worker that died is not run again here: what killed the worker would kill everything."""
@@ -151,7 +154,7 @@ class Runner:
 
     def _work(self, task: bytes) -> bytes:
         """In a worker: the answer to a task. What the worker has read before, it has told before."""
-        from rosward.analysis.outcome_form import ANSWER, ENTRY, Answer
+        from rosward.analysis.outcome_form import ANSWER, TASK, Answer
         from rosward.cache.codec import loaded, text
 
         sources, library = self._read.sources, self._read.library
@@ -162,7 +165,7 @@ class Runner:
             Findings(library.findings),
         )
         with watching() as trace:
-            outcome, questions = outcome_of(self._outset, ENTRY.read(loaded(task)))
+            outcome, questions = outcome_of(self._outset, TASK.read(loaded(task)))
         return text(
             ANSWER.write(
                 Answer(

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.analysis.deep_stack import with_deep_stack
+from rosward.analysis.summary import Creation, Summary, creations_of, main_calls
 from rosward.effects.entry import Entry
 from rosward.engine.found import FoundModule
 from rosward.engine.remembered import Lowered, memory_here
@@ -15,18 +17,20 @@ from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
-from rosward.ir.program import Module
+from rosward.ir.program import Code, Module
+from rosward.models.facts import LibraryFacts
 from rosward.source import disk, limits
 from rosward.source.definitions import Definition
 from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
-from rosward.source.text import place_name, read_bytes, read_source
+from rosward.source.text import decode, place_name, read_bytes
 from rosward.source.workspace import Package, SourceFile, Workspace
 
 if TYPE_CHECKING:
     from rosward.analysis.compiled import Compiled
+    from rosward.analysis.summaries import Summaries
     from rosward.frontends.cpp.symbols import CppSymbols
 
 _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null": "RW001"}
@@ -44,6 +48,7 @@ class SourceTree:
         net: bool = True,
         front_ends: Sequence[FrontEnd] = FRONT_ENDS,
         compiled: Compiled | None = None,
+        summaries: Summaries | None = None,
     ) -> None:
         self.workspace = workspace
         self._front_ends = front_ends
@@ -57,6 +62,10 @@ class SourceTree:
         self._resolver = ImportResolver(workspace)
         self._interfaces = InterfaceIndex(workspace)
         self._modules: dict[str, Module | None] = {}
+        self._summaries = summaries
+        self._summarised: dict[Module, Summary] = {}
+        self._lowered: dict[str, tuple[str, Module]] = {}
+        """Each file of which a summary can be kept, with what tells its content."""
         self._files: dict[str, SourceFile] = {f.relative: f for f in (*workspace.launch_files, *workspace.files)}
         self._generated = {
             place_name(made.source, workspace.root): made.validation
@@ -105,6 +114,21 @@ class SourceTree:
             self._modules[file] = None if source is None else self._read(source.path, file)
         return self._modules[file]
 
+    def created(self, module: Module, facts: LibraryFacts) -> Iterable[Creation]:
+        """What in a module would create an entity."""
+        summary = self._summarised.get(module)
+        return creations_of(module, facts) if summary is None else summary.created
+
+    def main_calls(self, module: Module) -> Set[str]:
+        """See `summary.main_calls`."""
+        summary = self._summarised.get(module)
+        return main_calls(module) if summary is None else summary.main_calls
+
+    def keep_summaries(self, facts: LibraryFacts) -> None:
+        """Keep what the next run needs of each file that does not change; to be called when all is done."""
+        if self._summaries is not None:
+            self._summaries.keep(self._lowered, self.python_files, facts)
+
     def content(self, file: str) -> str:
         """What tells the text of a module from any other; '' where there is none."""
         source = self._files.get(file) or self.files.file(file)
@@ -151,7 +175,19 @@ class SourceTree:
     def _lower(self, path: Path, file: str) -> Module | None:
         if file in self._generated:
             return self._generate(path, file)
-        text = read_source(path, self.workspace.root)
+        name = place_name(path, self.workspace.root)
+        data = read_bytes(path, name, limits.PYTHON_FILE)
+        front_end = front_end_of(file, self._front_ends)
+        content = disk.digest(data) if self._summaries and isinstance(data, bytes) and front_end is PYTHON else ""
+        summary = self._summaries.of(file, content) if self._summaries and content else None
+        if summary is not None and isinstance(data, bytes):
+            self.python_files[file] = summary.text_lines
+            waiting = Code.waiting(summary.key, partial(_lower_late, data, name, file))
+            module = Module(file, waiting, summary.imports, summary.first, summary.has_main, summary.lines)
+            self._summarised[module] = summary
+            self._lowered[file] = content, module
+            return module
+        text = data if isinstance(data, Finding) else decode(data, name)
         if isinstance(text, Finding):
             self.findings.add(text)
             return None
@@ -159,11 +195,14 @@ class SourceTree:
             self.findings.add(text.finding)
         self.python_files[file] = text.text.count("\n") + (not text.text.endswith("\n"))
         try:
-            return front_end_of(file, self._front_ends).lower(text.text, file)
+            module = front_end.lower(text.text, file)
         except FrontendError as error:
             place = Place(file, error.line, error.column)
             self.findings.add(Finding(_CODES.get(error.kind, "RW001"), error.message, place))
             return None
+        if content and text.finding is None:
+            self._lowered[file] = content, module
+        return module
 
     def _generate(self, path: Path, file: str) -> Module | None:
         """The module that the build makes of the description in a file."""
@@ -274,6 +313,22 @@ class SourceTree:
         if source.package is None:
             return "", file
         return source.package.name, _inside(source.package, file)
+
+
+def _lower_late(data: bytes, name: str, file: str) -> Code:
+    """The body of a file that was lowered by an earlier run: now somebody needs it."""
+
+    def lower() -> Code:
+        text = decode(data, name)
+        assert not isinstance(text, Finding)
+        return PYTHON.lower(text.text, file).code
+
+    try:
+        return lower()
+    except (
+        FrontendError
+    ):  # the interpreter stands deep in calls: what is nested deep has a stack of its own, as it had then
+        return with_deep_stack(lower)
 
 
 def _inside(package: Package, file: str) -> str:

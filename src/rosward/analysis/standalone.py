@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rosward.analysis.of_classes import called_from_outside, node_classes
-from rosward.analysis.outcome import Outcome, Outset
+from rosward.analysis.outcome import Outcome, Outset, Task
 from rosward.analysis.read import Progress, SourcesRead
 from rosward.analysis.runner import Runner
 from rosward.analysis.seen import note_variables
@@ -90,14 +90,16 @@ def _run_all(read: SourcesRead, runner: Runner, progress: Progress, *, assumed: 
     unmade = node_classes(each.seen for each in found) if assumed else {}
     # nothing says that two of them share a process
     made = [plan.for_class(file, name) for file, names in unmade.items() for name in names]
-    found += runner.all(made, lambda done: progress("analysing", done, len(made)))
+    found += runner.all([Task(e) for e in made], lambda done: progress("analysing", done, len(made)))
     offered = called_from_outside(each.seen for each in found)
     called = [
         plan.for_framework(file, name, alone=len(names) == 1) for file, names in offered.items() for name in names
     ]
     # what one makes on nodes that it is given is told of its base (`unreached.py`)
     found += (
-        each for each in runner.all(called, lambda done: progress("analysing", done, len(called))) if each.makes_nodes
+        each
+        for each in runner.all([Task(e) for e in called], lambda done: progress("analysing", done, len(called)))
+        if each.makes_nodes
     )
     return found
 
@@ -110,10 +112,10 @@ def _planned(read: SourcesRead, runner: Runner, progress: Progress, *, assumed: 
     def tell(done: int) -> None:
         progress("analysing", done, len(entries))
 
-    by_entry = dict(zip(known, runner.all(known, tell), strict=True))
+    by_entry = dict(zip(known, runner.all([Task(e) for e in known], tell), strict=True))
     found = [by_entry[entry] for entry in known]
     left = [entry for entry in entries if entry.assumed and assumed and not _is_made(read, entry, found)]
-    by_entry.update(zip(left, runner.all(left, lambda done: tell(len(known) + done)), strict=True))
+    by_entry.update(zip(left, runner.all([Task(e) for e in left], lambda done: tell(len(known) + done)), strict=True))
     tell(len(entries))
     for entry in left:
         if not _is_made(read, entry, found):

@@ -12,15 +12,14 @@ class P(rqt_gui_py.plugin.Plugin): …              # nothing here makes a P, bu
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import final
 
 from rosward.analysis.seen import ClassSeen, Seen
 from rosward.analysis.source_tree import SourceTree
+from rosward.analysis.summary import Creation, creations_of
 from rosward.findings import Finding, Findings
-from rosward.ir import ops
-from rosward.ir.op import walk
-from rosward.ir.program import Code, Module, OpKey
+from rosward.ir.program import Module, OpKey
 from rosward.models.facts import LibraryFacts
 from rosward.source.location import Place
 
@@ -34,7 +33,7 @@ def unreached_of(
     everywhere: bool = True,
 ) -> list[Finding]:
     """What `unreached` finds, and the same of the programs that are linked."""
-    found = unreached(seen, modules, facts)
+    found = unreached(seen, modules, facts, sources.created)
     names = dict.fromkeys(each.program for each in seen if each.program)
     if names:
         from rosward.analysis.unreached_linked import unreached_linked
@@ -44,7 +43,12 @@ def unreached_of(
     return found
 
 
-def unreached(seen: Sequence[Seen], modules: Iterable[Module], facts: LibraryFacts) -> list[Finding]:
+def unreached(
+    seen: Sequence[Seen],
+    modules: Iterable[Module],
+    facts: LibraryFacts,
+    created: Callable[[Module, LibraryFacts], Iterable[Creation]] = creations_of,
+) -> list[Finding]:
     """One finding for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
     entered: set[str] = set()
     reached: set[OpKey] = set()
@@ -54,27 +58,22 @@ def unreached(seen: Sequence[Seen], modules: Iterable[Module], facts: LibraryFac
     bases = _unknown_bases(seen)
     unseen = _Unseen(seen)
     found = Findings()
-    for module in modules:
-        names = facts.creators_of(name.partition(".")[0] for name in module.imports)
-        for code in _functions(module.code):
-            dead = code.key not in entered
-            for name, op, key in _creations(code, facts.creating, names):
-                base = bases.get((code.file, code.qualname.rpartition(".")[0]))
-                if dead and base is not None:
-                    what = f"nothing here calls {code.qualname}, but its base class {base} may: its {name} is not in the result"
-                    found.add(Finding("RW204", what, Place(code.file, op.line, op.column)))
-                    continue
-                if dead and unseen.may_call(code):
-                    what = f"no known code calls {code.qualname}, but unknown code may: its {name} is not in the result"
-                    found.add(Finding("RW212", what, Place(code.file, op.line, op.column)))
-                    continue
-                if dead:
-                    what = f"{code.qualname or 'this file'} is never called: its {name} is not in the result"
-                elif name in facts.creating and key not in reached:
-                    what = f"no execution reaches this {name}, as far as the values are known: it is not in the result"
-                else:
-                    continue
-                found.add(Finding("RW205", what, Place(code.file, op.line, op.column)))
+    for read in (one for module in modules for one in created(module, facts)):
+        place = Place(read.file, read.line, read.column)
+        dead = read.function not in entered
+        base = bases.get((read.file, read.qualname.rpartition(".")[0]))
+        if dead and base is not None:
+            what = f"nothing here calls {read.qualname}, but its base class {base} may: its {read.name} is not in the result"
+            found.add(Finding("RW204", what, place))
+        elif dead and unseen.may_call(read):
+            what = f"no known code calls {read.qualname}, but unknown code may: its {read.name} is not in the result"
+            found.add(Finding("RW212", what, place))
+        elif dead:
+            what = f"{read.qualname or 'this file'} is never called: its {read.name} is not in the result"
+            found.add(Finding("RW205", what, place))
+        elif read.name in facts.creating and read.op not in reached:
+            what = f"no execution reaches this {read.name}, as far as the values are known: it is not in the result"
+            found.add(Finding("RW205", what, place))
     return list(found)
 
 
@@ -88,10 +87,10 @@ class _Unseen:
         self._owners = {(file, owner) for file, owner, name in asked if not name}  # of which something unknown was read
         self._made = {(cls.place.file, cls.qualname) for each in seen for cls in _made(each)}
 
-    def may_call(self, code: Code) -> bool:
-        """Whether something unknown may call a function: a method of an object that there is, by name; or by a name that is not known."""
-        owner, _, name = code.qualname.rpartition(".")
-        return (code.file, owner) in self._owners or (name in self._names and (code.file, owner) in self._made)
+    def may_call(self, creation: Creation) -> bool:
+        """Whether something unknown may call the function around it: a method of an object that there is, by name; or by a name that is not known."""
+        owner, _, name = creation.qualname.rpartition(".")
+        return (creation.file, owner) in self._owners or (name in self._names and (creation.file, owner) in self._made)
 
 
 def _made(seen: Seen) -> Iterator[ClassSeen]:
@@ -114,30 +113,3 @@ def _unknown_bases(seen: Iterable[Seen]) -> dict[tuple[str, str], str]:
     return {
         (cls.place.file, cls.qualname): cls.outside for each in seen for cls in each.classes if cls.outside is not None
     }
-
-
-def _functions(code: Code) -> Iterator[Code]:
-    """The code itself and all functions in it."""
-    yield code
-    for _, op in _all_ops(code):
-        if isinstance(op, ops.MakeFunction):
-            yield from _functions(op.code)
-
-
-def _creations(code: Code, methods: Container[str], names: Container[str]) -> Iterator[tuple[str, ops.Op, OpKey]]:
-    """The reads of what creates an entity, in nested blocks too but not in functions."""
-    called: set[int] = set()
-    for body, op in reversed(list(_all_ops(code))):
-        if isinstance(op, ops.Call):
-            called.add(op.func)
-        elif isinstance(op, (ops.LoadAttr, ops.LoadGlobal, ops.LoadName)):
-            if (isinstance(op, ops.LoadAttr) and op.name in methods) or (op.dst in called and op.name in names):
-                yield op.name, op, (body.key, op.number)
-
-
-def _all_ops(code: Code) -> Iterator[tuple[Code, ops.Op]]:
-    """Every operation of a body and of the bodies of its classes, each with the body that it belongs to."""
-    for op in walk(code.ops):
-        yield code, op
-        if isinstance(op, ops.MakeClass):
-            yield from _all_ops(op.code)

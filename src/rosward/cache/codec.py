@@ -193,8 +193,11 @@ def one_of(kind: type[E]) -> Codec[E]:
 
 
 def record(kind: type[T], /, *codecs: Codec[Any], **named: Codec[Any]) -> Codec[T]:
-    """A record with these fields: those of a NamedTuple in its order, those of a dataclass by their names."""
+    """A record with these fields: those of a NamedTuple in its order, those of a dataclass by their names. Raises TypeError where one is left out."""
     names = (*named,)
+    known: tuple[str, ...] = getattr(kind, "__match_args__", ())
+    if (names and names != known) or len(codecs) + len(names) != len(known):
+        raise TypeError(f"{kind.__name__} has the fields {', '.join(known)}")
     writers = [codec.write for codec in (*codecs, *named.values())]
     readers = [codec.read for codec in (*codecs, *named.values())]
     count = len(readers)

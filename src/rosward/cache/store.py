@@ -39,6 +39,13 @@ _MOST_ANSWERS: Final = 3
 
 _LARGEST: Final = 128 * 1024 * 1024
 
+_SHARE: Final = 16
+"""A store is looked through when so manieth a part of its bounds was written since; it keeps below them by as much."""
+_TALLY: Final = "written"
+_MARKS: Final = 256
+"""So many marks in the tally are such a part. Each run that writes makes one at least, so that a look is never further away than that."""
+_APPEND: Final = os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+
 
 class Store:
     """Answers by questions, below a folder."""
@@ -46,7 +53,8 @@ class Store:
     def __init__(self, folder: str, *, most_bytes: int = MOST_BYTES) -> None:
         self._folder = os.path.join(folder, _FORM)  # noqa: PTH118
         self._most_bytes = most_bytes
-        self._wrote = False
+        self._bytes = 0
+        self._entries = 0
 
     def kept(self, kind: str, question: bytes, accept: Callable[[bytes], T | None]) -> T | None:
         """What `accept` makes of the latest answer to a question of which it makes something, which then counts as used; else None."""
@@ -69,21 +77,45 @@ class Store:
         if len(answer) > _LARGEST:
             return
         place = self._place(kind, question)
-        if write_own(place, hashlib.blake2b(answer, digest_size=12).hexdigest(), zlib.compress(answer, 1)):
-            self._wrote = True
+        packed = zlib.compress(answer, 1)
+        if write_own(place, hashlib.blake2b(answer, digest_size=12).hexdigest(), packed):
+            self._bytes += len(packed)
+            self._entries += 1
             for _, _, path in sorted(_entries(place), reverse=True)[_MOST_ANSWERS:]:
                 _forget(path)
 
     def close(self) -> None:
-        """Keep within bounds: what was not used for longest goes first."""
-        if not self._wrote:
-            return
-        self._wrote = False
+        """Keep within bounds: now and then, what was not used for longest goes."""
+        if self._entries and self._is_due():
+            self._tidy()
+        self._bytes = self._entries = 0
+
+    def _is_due(self) -> bool:
+        """Whether enough was written since the last look, by whichever runs: each appends its share to the tally, which only counts by its size."""
+        part = self._bytes * _SHARE / self._most_bytes + self._entries * _SHARE / _MOST_ENTRIES
+        tally = os.path.join(self._folder, _TALLY)  # noqa: PTH118
+        try:
+            descriptor = os.open(tally, _APPEND, 0o600)
+            try:
+                os.write(descriptor, b"." * min(_MARKS, 1 + int(part * _MARKS)))
+                if os.fstat(descriptor).st_size < _MARKS:
+                    return False
+            finally:
+                os.close(descriptor)
+        except OSError:  # something else is there: then each run looks
+            pass
+        _forget(tally)
+        return True
+
+    def _tidy(self) -> None:
         entries = sorted((e for place in self._places() for e in _entries(place)), reverse=True)
         size = 0
         for number, (_, length, path) in enumerate(entries):
             size += length
-            if size > self._most_bytes or number >= _MOST_ENTRIES:
+            if (
+                size > self._most_bytes - self._most_bytes // _SHARE
+                or number >= _MOST_ENTRIES - _MOST_ENTRIES // _SHARE
+            ):
                 _forget(path)
                 try:  # noqa: SIM105
                     os.rmdir(os.path.dirname(path))  # noqa: PTH106, PTH120

@@ -52,6 +52,7 @@ class Library:
         self.environment = usual_shell() if environment is None else environment
         self.nowhere = ModuleValue(-1, "", "")
         self.first_address = PROCESS_ADDRESSES
+        self.has_further_models = bool(folders)
         is_usual = not folders and languages is LANGUAGES
         self._models = (
             borrowed(models, net=net) if is_usual else ModelLibrary(models, folders, net=net, languages=languages)
@@ -178,6 +179,12 @@ class Library:
         if self._reading is not None:
             self._reading.models.add(found.name)
         return self._models.load_model(found)
+
+    def load_again(self, name: str) -> None:
+        """Load what another process has loaded: what is wrong with a stub is told of all that use it."""
+        found = self._model(name)
+        if found is not None:
+            self._models.load_model(found)
 
     def expect(self, importer: ModuleValue, module: ModuleValue, name: str, stand_in: Value) -> None:
         """A model imports a name from one that is still running and does not have it yet: it is looked up when both are complete."""

@@ -12,7 +12,7 @@ a small part of what is written, so each line waits until it is asked for, and t
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from sys import intern
 from typing import Any, Final, final
 
@@ -42,6 +42,7 @@ from rosward.domain.values import (
     Text,
     Unknown,
 )
+from rosward.effects.configuration import Given
 from rosward.ir import ops
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.models.native import Arguments
@@ -54,7 +55,7 @@ _TUPLE, _LIST, _DICT, _SET, _BYTES, _COMPLEX, _CAUSE, _KIND, _CLASS, _CODE, _ARG
 _FIRST: Final = 13
 _CLASSES: Final[tuple[Any, ...]] = (
     *(External, Native, BoundMethod, Partial, Descriptor, Super, Slice, Range, Tuple, Alternatives, Series),
-    *(Origin, Reason, Choice, Function, Hole, ModuleValue, Ref, Text, Unknown, Place, Parameters, Obj),
+    *(Origin, Reason, Choice, Function, Hole, ModuleValue, Ref, Text, Unknown, Place, Parameters, Obj, Given),
     *(ops.Argument, ops.Assume, ops.Await, ops.Binary, ops.Break, ops.Build, ops.Call, ops.Compare, ops.Const),
     *(ops.Continue, ops.Delete, ops.ForEach, ops.Format, ops.Handler, ops.If, ops.Import, ops.ImportFrom),
     *(ops.ImportStar, ops.Intrinsic, ops.LoadAttr, ops.LoadCell, ops.LoadGlobal, ops.LoadItem, ops.LoadName),
@@ -94,10 +95,11 @@ def _fields(of: Any) -> _Fields:
 
 @final
 class Writer:
-    """Writes values into `lines`."""
+    """Writes values into `lines`; `only`: objects of no other classes, where that is said."""
 
-    def __init__(self) -> None:
+    def __init__(self, only: Container[type] | None = None) -> None:
         self.lines: list[bytes] = []
+        self._only = only
         self._known: dict[int, tuple[int, object]] = {}  # by id: classes and code, and the line of each
 
     def line(self, value: object) -> int:
@@ -125,6 +127,8 @@ class Writer:
             return [_TUPLE if made is tuple else _LIST, *map(self._written, value)]
         if made is Const:
             return [_CONST, self._written(value.value), *([self._written(value.origins)] if value.origins else [])]
+        if self._only is not None and made not in self._only:
+            return self._rare(value)
         if made is Code:
             return [_CODE, self._once(value, [getattr(value, name) for name in _OF_CODE]), value.key]
         if made is Class:

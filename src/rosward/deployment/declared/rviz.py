@@ -90,14 +90,14 @@ def rviz(scope: TemplateScope, read: ReadFile) -> Found_:
         yield Open(f"its configuration file is not among the sources{f' ({why})' if why else ''}")
         return
     try:
-        manager = _child(read_yaml(text, ""), "Visualization Manager")
-        panels = _child(read_yaml(text, ""), "Panels")
+        document = read_yaml(text, "")
     except Malformed as error:
         yield Open(f"its configuration file cannot be read: {error.message}")
         return
+    manager = _child(document, "Visualization Manager")
     yield from _displays(_child(manager, "Displays"), 0, shown=True)
     yield from _tools(_child(manager, "Tools"))
-    yield from _panels(panels)
+    yield from _panels(_child(document, "Panels"))
 
 
 def _child(item: Item | None, key: str) -> Item | None:
