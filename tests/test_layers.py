@@ -116,6 +116,7 @@ ON_DEMAND: Final = {
     ("analysis/source_tree.py", "rosward.source.parameter_module"),
     ("analysis/source_tree.py", "rosward.source.yaml_nodes"),
     ("source/discover.py", "rosward.source.packages"),
+    ("ir/registers.py", "rosward.ir.cpp_registers"),
     ("deployment/given.py", "rosward.deployment.parameter_files"),
     ("outputs/report/page.py", "rosward.outputs.report.frame"),
     ("surveying/one.py", "rosward.deployment.request"),

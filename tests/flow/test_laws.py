@@ -243,7 +243,7 @@ def test_a_look_that_is_kept_finds_what_a_new_one_finds(several: list[Any]) -> N
         else:
             here.join(there)
         fresh = Memory(here.shape)
-        fresh.join(here)
+        fresh.replay(dict(here.items()), set())
         for each in (looked, frozenset((root,)), mark.roots):
             assert here.deep(Mark(0, each)) == fresh.deep(Mark(0, each))
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.engine import recalled
 from rosward.ir import ops
-from rosward.ir.check import reads, writes
 from rosward.ir.op import walk
+from rosward.ir.registers import reads, writes
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame

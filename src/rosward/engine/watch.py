@@ -19,8 +19,8 @@ from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
 from rosward.engine.registered import Registered, period_of
 from rosward.engine.seen import Activation, Bound, Called, Given, Handed, Seen, places_of, refs_of
 from rosward.ir import cpp, ops
-from rosward.ir.check import reads, writes
 from rosward.ir.program import CPP
+from rosward.ir.registers import reads, writes
 
 if TYPE_CHECKING:
     from rosward.effects.log import EntityEffect

@@ -30,7 +30,7 @@ from rosward.flow.reading import arising, leads
 from rosward.flow.released import callees, released
 from rosward.flow.ways import Way, each_way, either, joined_marks
 from rosward.ir import ops
-from rosward.ir.check import reads
+from rosward.ir.registers import reads
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker

@@ -31,7 +31,7 @@ from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, of_library
 from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
 from rosward.ir import cpp, ops
-from rosward.ir.check import reads
+from rosward.ir.registers import reads
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker

@@ -30,7 +30,7 @@ from rosward.flow.cpp_values import (
 )
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot
 from rosward.ir import cpp, ops
-from rosward.ir.check import reads
+from rosward.ir.registers import reads
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker

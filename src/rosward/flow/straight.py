@@ -18,7 +18,7 @@ from rosward.flow.library import name_of
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, of_library
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
 from rosward.ir import ops
-from rosward.ir.check import reads, writes
+from rosward.ir.registers import reads, writes
 
 if TYPE_CHECKING:
     from rosward.engine.seen import Seen

@@ -22,8 +22,8 @@ from rosward.flow.remembered import MOST, Remembered, Tracker
 from rosward.flow.sinks import DEEP, Chain, Sinks
 from rosward.flow.trail import Trail
 from rosward.ir import ops
-from rosward.ir.check import reads
 from rosward.ir.program import CPP
+from rosward.ir.registers import reads
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

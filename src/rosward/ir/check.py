@@ -8,12 +8,13 @@ keeps: registers and cells in range, temporaries written before they are read, c
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any, Final, final
+from collections.abc import Mapping
+from typing import Final, final
 
-from rosward.ir import cpp, cpp_registers, ops
-from rosward.ir.ops import NO_REGISTER, Argument, Block, Op
+from rosward.ir import cpp, ops
+from rosward.ir.ops import NO_REGISTER, Block, Op
 from rosward.ir.program import Code, CodeKind
+from rosward.ir.registers import reads, writes
 
 _BINARY: Final = frozenset({"+", "-", "*", "@", "/", "%", "**", "<<", ">>", "|", "^", "&", "//", ","})
 _COMPARE: Final = frozenset({"==", "!=", "<", "<=", ">", ">=", "is", "is-not", "in", "not-in"})
@@ -30,92 +31,6 @@ _WORDS: Final[Mapping[type, tuple[str, frozenset[str]]]] = {
 def check(code: Code) -> list[str]:
     """What is wrong with the body, one line a fault."""
     return list(_Checker(code).faults())
-
-
-def reads(op: Op) -> Iterator[int]:
-    """The registers that an operation reads before its blocks run."""
-    for field in _READS.get(type(op), ()):
-        register = getattr(op, field)
-        if register != NO_REGISTER:
-            yield register
-    collect = _READS_MANY.get(type(op))
-    if collect is not None:
-        yield from collect(op)
-
-
-def writes(op: Op) -> tuple[int, ...]:
-    """The registers that an operation itself writes."""
-    if isinstance(op, (ops.Unpack, cpp.Destructure)):
-        return op.dsts
-    if isinstance(op, ops.ForEach):
-        return (op.item,)
-    if isinstance(op, ops.With):
-        return () if op.bind == NO_REGISTER else (op.bind,)
-    dst: int = getattr(op, "dst", NO_REGISTER)
-    return () if dst == NO_REGISTER else (dst,)
-
-
-_READS: Final[Mapping[type, tuple[str, ...]]] = {
-    ops.Move: ("src",),
-    ops.StoreGlobal: ("src",),
-    ops.StoreName: ("src",),
-    ops.StoreCell: ("src",),
-    ops.LoadAttr: ("obj",),
-    ops.StoreAttr: ("obj", "src"),
-    ops.LoadItem: ("obj", "index"),
-    ops.StoreItem: ("obj", "index", "src"),
-    ops.Unary: ("src",),
-    ops.Binary: ("left", "right"),
-    ops.Compare: ("left", "right"),
-    ops.Call: ("func",),
-    ops.Unpack: ("src",),
-    ops.Assume: ("src", "other"),
-    ops.Yield: ("src",),
-    ops.Await: ("src",),
-    ops.If: ("test",),
-    ops.ForEach: ("iterable",),
-    ops.With: ("context",),
-    ops.Return: ("src",),
-    ops.Raise: ("src", "cause"),
-    **cpp_registers.READS,
-}
-
-
-def _arguments(arguments: tuple[Argument, ...]) -> Iterator[int]:
-    return (argument.register for argument in arguments)
-
-
-def _format_reads(op: ops.Format) -> Iterator[int]:
-    for part in op.parts:
-        if not isinstance(part, str):
-            yield part[0]
-            if part[2] != NO_REGISTER:
-                yield part[2]
-
-
-def _delete_reads(op: ops.Delete) -> Iterator[int]:
-    if op.kind in ("local", "attr", "item"):
-        yield op.obj
-    if op.kind == "item":
-        yield op.index
-
-
-def _function_reads(op: ops.MakeFunction) -> Iterator[int]:
-    yield from op.defaults
-    for _, register in op.kwdefaults:
-        yield register
-
-
-_READS_MANY: Final[Mapping[type, Callable[[Any], Iterator[int]]]] = {
-    **cpp_registers.READS_MANY,
-    ops.Call: lambda op: _arguments(op.arguments),
-    ops.MakeClass: lambda op: _arguments(op.arguments),
-    ops.MakeFunction: _function_reads,
-    ops.Build: lambda op: (register for _, register in op.items),
-    ops.Intrinsic: lambda op: iter(op.arguments),
-    ops.Format: _format_reads,
-    ops.Delete: _delete_reads,
-}
 
 
 @final
