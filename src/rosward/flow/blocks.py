@@ -156,6 +156,7 @@ def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any, item: int
     body.enter_loop()
     outside = body.pc
     ended: Point | None = None
+    walker.loop_begins(op, body)
     head = walker.point(body)
     for _ in range(_MOST_TURNS):
         walker.go(body, head.copy())
@@ -177,6 +178,7 @@ def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any, item: int
             break
     else:
         raise TooLongError
+    walker.loop_ends(op, head, body)
     broken = body.broken
     if broken is None:
         body.pc = outside | body.left

@@ -99,7 +99,7 @@ def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
     if len(roots) > _FEW:
-        walker.shape.melt(roots)
+        roots = walker.memory.melt(roots)
     return Mark(mask, roots | {root})
 
 
@@ -136,5 +136,5 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
     walker.memory.write_any(reached, Mark(mask | given), mask)
     behind = frozenset[Root]().union(*(m.roots for m in everything))
     if len(behind) > _FEW:
-        walker.shape.melt(behind)
+        behind = walker.memory.melt(behind)
     return Mark(mask | given, behind | {root})

@@ -11,7 +11,7 @@ another object (`msg.header`) has the base of that attribute until it is written
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from typing import Final, final
+from typing import Final
 
 from rosward.flow.content import EMPTY, Content, Layer, TooLongError, both, fewer
 from rosward.flow.marks import NOTHING, Mark, Root, is_slot, slot_of
@@ -24,7 +24,6 @@ _MOST_LAYERS: Final = 6
 _MOST_LOOKS: Final = 64
 
 
-@final
 class Memory:
     """The content of all objects, at one point of the program.
 
@@ -32,6 +31,7 @@ class Memory:
     """
 
     __slots__ = ("_looked", "_own", "_shared", "log", "shape")
+    most = _MOST
 
     def __init__(self, shape: Shape) -> None:
         self.shape = shape
@@ -322,6 +322,11 @@ class Memory:
             self.write_any([owner[0]], Mark(0, frozenset((root,))))
         return content
 
+    def melt(self, roots: frozenset[Root]) -> frozenset[Root]:
+        """So many objects may be views of one another that they are one from now on."""
+        self.shape.melt(roots)
+        return roots
+
     def near(self, mark: Mark) -> int:
         """What a value depends on, with what stands in it, as far as one look tells."""
         found = mark.mask
@@ -357,7 +362,7 @@ class Memory:
         known = {id(roots)}
         nodes = self.shape.nodes
         while work:
-            if len(seen) > _MOST:
+            if len(seen) > self.most:
                 raise TooLongError
             root = work.pop()
             content = seen[root] = self.of(root)
@@ -390,7 +395,7 @@ class Memory:
             root = work.pop()
             if root in seen:
                 continue
-            if len(seen) > _MOST:
+            if len(seen) > self.most:
                 raise TooLongError
             seen.add(root)
             yield root

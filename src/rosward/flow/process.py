@@ -22,9 +22,9 @@ from rosward.flow import blocks, cpp, cpp_calls, straight
 from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send
+from rosward.flow.coarse import CoarseWalker
 from rosward.flow.content import Content, TooLongError
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
-from rosward.flow.memory import Memory
 from rosward.flow.said import wrong_marks
 from rosward.flow.shape import MeltedError, Shape
 from rosward.flow.walker import Handler, Walker
@@ -41,10 +41,12 @@ if TYPE_CHECKING:
     from rosward.engine.seen import Activation
     from rosward.engine.watch import Watch
 
-_ROUNDS: Final = 40
-_STEPS_EACH: Final = 2
-"""The walk may take so many times the steps of the interpretation."""
-_LEAST: Final = 300_000
+_STEPS_EACH: Final = 1.0
+"""The walk may take so many times the steps of the interpretation; where it takes more, a coarser one does."""
+_LEAST: Final = 100_000
+_STEPS_COARSE: Final = 8
+"""And so many the coarser one, which takes less, as a rule."""
+_LEAST_COARSE: Final = 1_000_000
 _EVENTS: Final = {
     "message": ("topic", "subscription"),
     "service": ("service", "service_server"),
@@ -71,19 +73,24 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     """Walk through a process that was interpreted while somebody watched."""
     both = {**straight.TABLE, **blocks.TABLE}
     tables = {PYTHON: Table(both), CPP: Table({**both, **cpp.TABLE})}
-    most = max(_LEAST, machine.precision.steps * _STEPS_EACH)
+    steps = machine.precision.steps
+    most, coarse = max(_LEAST, int(steps * _STEPS_EACH)), max(_LEAST_COARSE, steps * _STEPS_COARSE)
     walker = Walker(watch, Shape(machine), tables, most, machine.budget.watched)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
     while True:
+        before = walker
         try:
-            complete = _settle(walker, machine) and complete
+            _settle(walker, machine)
         except MeltedError:
-            before, walker = walker, Walker(watch, walker.shape.afresh(), tables, most, walker.watched)
-            before.close()
-            continue
+            walker = Walker(watch, walker.shape.afresh(), tables, most, walker.watched)
         except TooLongError:
-            complete = False
-        break
+            if isinstance(walker, CoarseWalker):
+                complete = False
+                break
+            walker = CoarseWalker(watch, walker.shape.coarser(), tables, coarse, walker.watched)
+        if walker is before:
+            break
+        before.close()
     complete = complete and not walker.lost
     more = 0 if complete else walker.sources.all
     flows = []
@@ -106,19 +113,19 @@ def _paths(walker: Walker, sink: Sink, sources: Iterable[Source]) -> dict[Source
     return {s: trail.way(sink, walker.sources.number(s), s, arriving) for s in sources}
 
 
-def _settle(walker: Walker, machine: Interpreter) -> bool:
-    """Until nothing changes; False where that takes too long."""
+def _settle(walker: Walker, machine: Interpreter) -> None:
+    """Until nothing changes."""
     entries = list(machine.schedule_book.entries.values())
     entries = list({_where(e): e for e in reversed(entries)}.values())[::-1]
     walker.threaded = any(e.event == "thread" for e in entries)
-    for _ in range(_ROUNDS):
+    while True:
         walker.changed = False
         _main(walker)
         for entry in entries:
             _callback(walker, entry)
         if not walker.changed:
-            return True
-    return False
+            return
+        walker.shape.spent += len(entries) + 1
 
 
 def _where(entry: Scheduled) -> object:
@@ -135,7 +142,7 @@ def _main(walker: Walker) -> None:
     walker.event = (Source("main"),)
     walker.trail.begin("main", None)
     walker.node = _only(walker)
-    walker.memory = Memory(walker.shape)
+    walker.begin()
     walker.shape.placed.clear()
     for activation in walker.watch.begun:
         walker.enter(activation, [], 0)

@@ -20,10 +20,11 @@ if TYPE_CHECKING:
     from rosward.ir.symbols import Marked
 
 
-def marks_of(machine: Interpreter) -> Callable[[str], FlowMark]:
-    """The marks of all functions that a process may call, by dotted names."""
+def marks_of(machine: Interpreter) -> tuple[Callable[[str], FlowMark], Callable[[str], str]]:
+    """The marks of all functions that a process may call, by dotted names; and of which class, with marks, a function gives an object."""
     linked = machine.linked
-    return InHeaders(linked.symbols.marked).of if isinstance(linked, Linked) else machine.library.marks.of
+    found = InHeaders(linked.symbols.marked) if isinstance(linked, Linked) else machine.library.marks
+    return found.of, found.class_behind
 
 
 def wrong_marks(machine: Interpreter) -> Iterator[Finding]:
@@ -51,6 +52,10 @@ class InHeaders:
         if found is None:
             found = self._known[name] = self._of(name)
         return found
+
+    def class_behind(self, name: str) -> str:
+        """The name itself, where a class or namespace around it has marks; else ''."""
+        return name if self.of(f"{name}.operator()") is not NO_MARK else ""
 
     def _of(self, name: str) -> FlowMark:
         own = self._marked.get(name)

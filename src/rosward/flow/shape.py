@@ -54,9 +54,17 @@ class Shape:
     `inner`: the objects that belong to an attribute of another one (the header of a message), with that one and the name.
     """
 
-    def __init__(self, machine: Interpreter, melted: frozenset[tuple[str, int]] = frozenset(), spent: int = 0) -> None:
+    def __init__(
+        self,
+        machine: Interpreter,
+        melted: frozenset[tuple[str, int]] = frozenset(),
+        spent: int = 0,
+        *,
+        coarse: bool = False,
+    ) -> None:
         self._machine = machine
         self._melted = melted  # the operations whose results are not told apart
+        self._coarse = coarse  # what an operation gives is the same in all activations
         self.spent = spent  # operations and objects that were looked at
         self.inner: dict[int, tuple[int, str]] = machine.inner_objects()
         self.many = {address for address, obj in machine.state.heap.items() if obj.many}
@@ -75,7 +83,7 @@ class Shape:
             self._parts.setdefault(owner, []).append(address)
         self._inside = {owner: address for address, owner in self.inner.items()}
         self._named: dict[str, list[tuple[int, str]]] | None = None
-        self._said = marks_of(machine)
+        self._said, self.class_behind = marks_of(machine)
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
 
@@ -83,7 +91,7 @@ class Shape:
         """The object that an operation makes and that has no address; `name`: of what in a library it is the result."""
         if self._melted and (_EVERYTHING in self._melted or (activation.code.key, number) in self._melted):
             return MELTED
-        return (kind, activation, number, name)
+        return (kind, activation.code.key if self._coarse else activation, number, name)
 
     def melt(self, roots: Iterable[Root]) -> None:
         """So many objects may be views of one another that they are one from now on: the walk begins anew."""
@@ -94,8 +102,8 @@ class Shape:
                 inner = inner[1]  # type: ignore[assignment]  # a root
             if not isinstance(inner, int) and inner[0] in ("made", "tuple"):
                 activation, number = inner[1:3]
-                assert isinstance(activation, Activation)
                 assert isinstance(number, int)
+                assert isinstance(activation, Activation)
                 sites.add((activation.code.key, number))
         if not sites <= self._melted:
             self._melted |= {_EVERYTHING} if self._melted else sites
@@ -104,6 +112,10 @@ class Shape:
     def afresh(self) -> Shape:
         """The same, of which nothing was walked through."""
         return Shape(self._machine, self._melted, self.spent)
+
+    def coarser(self) -> Shape:
+        """The same for a walk that tells less apart, of which nothing was walked through."""
+        return Shape(self._machine, coarse=True)
 
     def record(self, address: int) -> Obj | None:
         """What stands at an address at the end."""

@@ -9,7 +9,7 @@ value depends on. Straight operations are in `straight.py`, calls in `calls.py`,
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, Final, final
+from typing import TYPE_CHECKING, Any, Final
 
 from rosward.effects.flows import Sink, Source
 from rosward.engine.seen import Activation, Seen
@@ -48,7 +48,6 @@ STRUCTURED: Final = (
 )
 
 
-@final
 class Walker:
     """Walks through one process. `memory` is where it is; `beside`: what all callbacks may have written."""
 
@@ -216,6 +215,16 @@ class Walker:
             self.shape.tracker.beside = True
         self.memory.join(self.beside)
 
+    def begin(self) -> None:
+        """The main body begins: nothing was written."""
+        self.memory = Memory(self.shape)
+
+    def loop_begins(self, op: ops.Op, body: Body) -> None:
+        """A loop begins: nothing is known of its turns."""
+
+    def loop_ends(self, op: ops.Op, head: Point, body: Body) -> None:
+        """What holds at the head of a loop in any of its turns."""
+
     def leave(self) -> None:
         """What runs has come to its end: others may find what it wrote."""
         if self.beside.join(self.memory):
@@ -298,7 +307,7 @@ class Walker:
 
     def _walk(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Through a body."""
-        known = self.arguments[activation]
+        known = self.arguments.get(activation, arguments)
         code = activation.code
         recursive = activation in self.results and len(self.bodies) > _DEEP
         given = known if recursive else arguments

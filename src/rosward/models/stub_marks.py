@@ -50,6 +50,7 @@ class StubMarks:
         self._folders = (*folders, *OWN)
         self._modules: dict[tuple[Path, str], Scope | None] = {}
         self._known: dict[str, FlowMark] = {}
+        self._behind: dict[str, str] = {}
 
     def of(self, name: str) -> FlowMark:
         """The marks of a function, by its dotted name; of one of Python itself that is a bare name."""
@@ -58,6 +59,39 @@ class StubMarks:
             said = self._said(tuple(name.split(".")), _DEPTH)
             found = self._known[name] = said.own or said.whole or NO_MARK
         return found
+
+    def class_behind(self, name: str) -> str:
+        """The class of what a name gives, by its dotted name; the module, where all of that has a mark; '' where nobody knows."""
+        found = self._behind.get(name)
+        if found is None:
+            found = self._behind[name] = self._class(tuple(name.split(".")), _DEPTH)
+        return found
+
+    def _class(self, parts: tuple[str, ...], depth: int) -> str:
+        if not depth or len(parts) > _LONGEST:
+            return ""
+        for folder in self._folders:
+            for length in range(len(parts), 0, -1):
+                module = self._module(folder, "/".join(parts[:length])) if all(map(str.isidentifier, parts)) else None
+                if module is not None and (found := self._class_in(module, parts[:length], parts[length:], depth)):
+                    return found
+        return "" if parts[0] == _BUILTINS else self._class((_BUILTINS, *parts), depth - 1)
+
+    def _class_in(self, module: Scope, name: tuple[str, ...], rest: tuple[str, ...], depth: int) -> str:
+        scope, own, known = module, name, True
+        for number, part in enumerate(rest, 1):
+            inner = scope.member(part, module)
+            given = inner if inner is None or inner.alias or inner.is_class else module.inner.get(inner.gives)
+            if given is None:
+                known = False
+                break
+            if given.alias:
+                return self._class((*given.alias.split("."), *rest[number:]), depth - 1)
+            own = (*own, part) if given is inner else (*name, inner.gives if inner is not None else "")
+            scope = given
+        if known and scope is not module:
+            return ".".join(own)
+        return ".".join(name) if module.mark is not None else ""
 
     def _said(self, parts: tuple[str, ...], depth: int) -> _Said:
         if not depth or len(parts) > _LONGEST or not all(part.isidentifier() for part in parts):
