@@ -99,7 +99,9 @@ class CoarseMemory(Memory):
         for root in roots:
             if not self._is_melted(root):
                 found.add(root)
-            elif (name := name_of(root)) and (name := self.shape.class_behind(name)):  # what is called on it goes by its name
+            elif (name := name_of(root)) and (
+                name := self.shape.class_behind(name)
+            ):  # what is called on it goes by its name
                 named: Root = ("made", "", 0, name)
                 self._melted.add(named)
                 found.add(named)

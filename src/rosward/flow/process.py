@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 _STEPS_EACH: Final = 1.0
 """The walk may take so many times the steps of the interpretation; where it takes more, a coarser one does."""
-_LEAST: Final = 100_000
+_LEAST: Final = 240_000
 _STEPS_COARSE: Final = 8
 """And so many the coarser one, which takes less, as a rule."""
 _LEAST_COARSE: Final = 1_000_000
