@@ -17,8 +17,8 @@ from rosward.flow.remembered import Looked
 from rosward.flow.shape import MELTED
 
 if TYPE_CHECKING:
-    from rosward.flow.coarse import Stay
     from rosward.flow.shape import Shape
+    from rosward.flow.stay import Stay
 
 _UNBOUNDED: Final = 1 << 62
 _FEW: Final = 24
@@ -50,7 +50,7 @@ class CoarseMemory(Memory):
         assert other is self
         return False
 
-    def is_one(self, roots: Iterable[Root]) -> bool:
+    def is_one(self, roots: Iterable[Root]) -> bool:  # noqa: ARG002 - as with any memory
         """Never: what stood there before may still be read."""
         return False
 
