@@ -294,11 +294,7 @@ class Memory:
             if root in shape.many and old is not None:
                 self._put(root, both(old, content))
                 return
-        self._put(root, content)
-        if isinstance(root, int):
-            for inner in shape.parts(root):
-                if self.known(inner) is not None:
-                    self._put(inner, Content(base=content.read(shape.inner[inner][1]).mask))
+        self.place_again(root, content)
 
     def forget(self, variables: Iterable[Root]) -> None:
         """Variables begin anew."""
