@@ -21,6 +21,7 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.standalone import Gathered
 from rosward.analysis.systems import Outset, System, systems_of
 from rosward.analysis.unreached import unreached_of
+from rosward.deployment.alike import renumbered, what_it_sees
 from rosward.deployment.declared.effects import declared
 from rosward.deployment.declared.shapes import PluginNode
 from rosward.deployment.launched import Launched
@@ -244,16 +245,12 @@ class _Runs:
         return log, done, loaded
 
     def _run(self, entry: Entry, configuration: Configuration) -> Run:
-        key = (
-            entry,
-            configuration.words,
-            configuration.component,
-            tuple(sorted(configuration.files.items(), key=lambda item: item[0])),
-            tuple(sorted(configuration.environment.items(), key=lambda item: item[0])),
-        )
-        found = self._runs.get(key)
+        configuration = renumbered(configuration)
+        keys = [(entry, what_it_sees(configuration, process=process)) for process in (False, True)]
+        found = next((self._runs[key] for key in keys if key in self._runs), None)
         if found is None:
-            found = self._runs[key] = run(self._outset.library, entry, self._outset.budget, configuration)
+            found = run(self._outset.library, entry, self._outset.budget, configuration)
+            self._runs[keys[found.log.asked_for_words]] = found
         return found
 
 

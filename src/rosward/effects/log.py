@@ -117,6 +117,7 @@ class EffectLog:
 
     def __init__(self, configuration: Configuration | None = None) -> None:
         self.configuration = configuration
+        self.asked_for_words = False  # the words of the process were asked for: what it does may depend on them
         self.launch: LaunchContext | None = None  # the launch whose Python code this is
         self.variables = Variables()
         self.nodes: dict[NodeEffect, None] = {}
@@ -134,6 +135,17 @@ class EffectLog:
         self.flows: ProcessFlows | None = None  # where that was asked for
         self.remembered: dict[object, object] = {}  # what was computed of its configuration, for who asks again
         self._addresses: set[int] = set()
+
+    @property
+    def holds_more(self) -> bool:
+        """Whether the program may change something that is no record of the heap: what its launch has set."""
+        return self.launch is not None
+
+    @property
+    def words(self) -> tuple[Value, ...]:
+        """The words of the command line of the process, as far as they are known."""
+        self.asked_for_words = True
+        return () if self.configuration is None else self.configuration.words
 
     def add_node(self, machine: Execution, effect: NodeEffect) -> None:
         """Record a node."""

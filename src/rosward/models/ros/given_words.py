@@ -60,7 +60,9 @@ def _apart(line: Series) -> tuple[Series, ...]:
 def _tell(machine: Machine, line: Series) -> None:
     configuration = machine.log.configuration
     read = read_words(line, configuration)
-    known = read_words(Series(configuration.words), configuration) if configuration is not None else None
+    if not read.errors and not read.open and not read.holes:
+        return
+    known = read_words(Series(machine.log.words), configuration) if configuration is not None else None
     for error in read.errors:
         if known is None or error not in known.errors:  # else the launch file is told
             machine.report("RW209", f"rcl rejects these arguments: {error}")
@@ -93,6 +95,5 @@ def context_lines(machine: Machine, context: Value | None) -> tuple[Series, ...]
             if isinstance(option, Ref):
                 found.update(dict.fromkeys(_apart(machine.obj(option).series())))
     if not found:
-        configuration = machine.log.configuration
-        found[Series(configuration.words if configuration is not None else ())] = None
+        found[Series(machine.log.words)] = None
     return tuple(found)
