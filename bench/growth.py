@@ -138,6 +138,44 @@ def _policy(n: int) -> Files:
     return _node([f"self.create_publisher(String, 't{i}', 1)" for i in range(n)]) | {"policy.xml": text}
 
 
+_CPP: Final = """
+#include <memory>
+#include <string>
+#include <vector>
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+using std_msgs::msg::String;
+"""
+
+
+def _cpp(lines: Sequence[str], members: str = "") -> Files:
+    """One program in C++ with one node, whose constructor holds these lines."""
+    body = "".join(f"    {line}\n" for line in lines)
+    return {
+        "n.cpp": f'{_CPP}class N : public rclcpp::Node\n{{\npublic:\n  N() : Node("n")\n  {{\n{body}  }}\nprivate:\n{members}'
+        "  std::vector<std::shared_ptr<void>> kept_;\n};\n"
+        "int main(int argc, char ** argv)\n{\n  rclcpp::init(argc, argv);\n  rclcpp::spin(std::make_shared<N>());\n}\n"
+    }
+
+
+def _cpp_callbacks(n: int) -> Files:
+    call = (
+        'kept_.push_back(create_subscription<String>("s{0}", 1, [this](String::SharedPtr m) {{last{0}_ = m->data;}}));'
+    )
+    return _cpp([call.format(i) for i in range(n)], "".join(f"  std::string last{i}_;\n" for i in range(n)))
+
+
+def _cpp_methods(n: int) -> Files:
+    methods = "".join(f"  int level{i}_ = 0;\n  int m{i}() {{level{i}_ = {i}; return level{i}_;}}\n" for i in range(n))
+    return _cpp([f"m{i}();" for i in range(n)], methods)
+
+
+def _cpp_loops(n: int) -> Files:
+    """Calls of one function that only computes, from many places."""
+    method = "  double cost(double x) {double sum = 0.0; for (int i = 0; i < 5; ++i) {sum += x * i;} return sum;}\n"
+    return _cpp([f"cost({i % 10}.5);" for i in range(n)], method)
+
+
 _EXTRACT: Final = ("extract", "{source}", "-q", "-o", "{out}")
 _TOP: Final = "{source}/launch/top.launch.xml"
 
@@ -196,6 +234,17 @@ KINDS: Final[dict[str, Kind]] = {
         lambda n: _main(
             [f"t = {' + '.join(repr(f'x{i}') for i in range(n))}", "Node('n').create_publisher(String, t, 1)"]
         )
+    ),
+    "C++: publishers": Kind(
+        lambda n: _cpp([f'kept_.push_back(create_publisher<String>("t{i}", 1));' for i in range(n)])
+    ),
+    "C++: subscriptions": Kind(_cpp_callbacks),
+    "C++: methods": Kind(_cpp_methods),
+    "C++: calls of one function": Kind(_cpp_loops),
+    "C++: programs": Kind(
+        lambda n: {
+            f"n{i}.cpp": _cpp([f'kept_.push_back(create_publisher<String>("t{i}", 1));'])["n.cpp"] for i in range(n)
+        }
     ),
     "findings": Kind(lambda n: _node([f"self.create_publisher(String, input(), {i})" for i in range(n)])),
     "rules of a policy": Kind(_policy, ("check", "{source}/policy.xml", "{source}", "-o", "{out}")),

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rosward.analysis import launched
-from rosward.analysis.process import Run
+from rosward.analysis.process import Run, run
 from rosward.deployment.alike import renumbered, what_it_sees
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.domain.choice import join
@@ -115,11 +115,10 @@ def test_a_component_in_two_containers_is_run_once(
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
     runs: list[str] = []
-    whole = launched.run
 
     def counted(*args: object) -> Run:
         runs.append("")
-        return whole(*args)  # type: ignore[arg-type]  # what it is given is passed on
+        return run(*args)  # type: ignore[arg-type]  # what it is given is passed on
 
     monkeypatch.setattr(launched, "run", counted)
     request = Request(launches=(LaunchRequest("left.launch.py", "demo"), LaunchRequest("right.launch.py", "demo")))

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.values import UNBOUND, Function, Value
-from rosward.engine import declared
+from rosward.domain.values import Function, Value
+from rosward.engine import declared, repeated
 from rosward.engine.bodies import context_of, run_body
 from rosward.engine.summarised import summarised
-from rosward.engine.throwing import note
 from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
 
 if TYPE_CHECKING:
@@ -35,35 +34,25 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
         machine.summaries.recursive.add(code.key)
     if depth >= limit or len(machine.frames) >= machine.budget.depth:
         return summarised(machine, function, registers)
-    key = (
-        function,
-        tuple(registers),
-        machine.state.version,
-        bool(machine.catchers),
-        machine.summaries.epoch,
-        machine.language.situation(machine),
-    )
-    remembered = machine.summaries.memo.get(key)
-    if remembered is not None:
+    caller = machine.frames[-1] if machine.frames else None
+    context = context_of(
+        machine, code, caller
+    )  # also where the call is not run: what follows has the same names either way
+    key = repeated.key_of(machine, function, registers)
+    known = repeated.again(machine, key)
+    if known is not None:
         if machine.watch is not None:
             machine.watch.again(machine, key)
-        value, level = remembered
-        if level:
-            note(machine, level)
-        return value
-    raised, version, provisional = machine.raised, machine.state.version, machine.summaries.provisional
+        return known
     noted, machine.noted = machine.noted, 0
-    caller = machine.frames[-1] if machine.frames else None
-    context = context_of(machine, code, caller)
-    value = run_body(machine, function, registers, caller, context)
+    run = repeated.Run(machine)
+    try:
+        value = run_body(machine, function, registers, caller, context)
+    finally:
+        asked_for = run.end(machine)
     level, machine.noted = machine.noted, max(machine.noted, noted)
-    quiet = (
-        machine.state.version == version and machine.raised == raised and machine.summaries.provisional == provisional
-    )
-    if quiet and value is not UNBOUND and not declared.is_model(function):
-        machine.summaries.memo[key] = (value, level)
-        if machine.watch is not None:
-            machine.watch.remember(key, code, context)
+    if run.keep(machine, key, asked_for, value, level) and machine.watch is not None:
+        machine.watch.remember(key, code, context)
     return value
 
 

@@ -114,6 +114,7 @@ class Answers:
         if keys and (outlive or any(f.code is code and f.context == context for f in self.frames)):
             return [self.place_at(key, Obj("cell", NONE)) for key in keys]
         cells = [self.place_key(key) for key in keys]
+        self.trace.made += cells
         for address in cells:
             self.put(address, Obj("cell", NONE))
         return cells

@@ -74,7 +74,7 @@ def _reach(machine: Engine, value: Value, library: str, depth: int, seen: set[in
                 machine.schedule(option, None, BY_LIBRARY)
         elif isinstance(option, Class):
             if not option.stub:
-                machine.trace.handed.setdefault(option, machine.place)
+                machine.trace.hand(option, machine.place)
         elif isinstance(option, Const):
             named.note(machine, option)
         elif isinstance(option, Tuple):
@@ -97,7 +97,7 @@ def _reach_object(machine: Engine, ref: Ref, library: str, depth: int, seen: set
     if obj.kind == "generator":
         machine.schedule(ref, (), BY_LIBRARY)
     elif obj.kind == "instance":
-        machine.trace.handed.setdefault(ref, machine.place)
+        machine.trace.hand(ref, machine.place)
         if not library:
             return  # it knows nothing of ROS
         if machine.log.is_node(ref.address):

@@ -129,6 +129,7 @@ class Interpreter(Answers):
 
     def keep_end(self) -> None:
         """Here a path of the main body ends: its state counts for what runs afterwards."""
+        self.trace.deeds += 1
         if self.ends is None:
             self.ends = self.state.copy()
         else:
@@ -137,6 +138,7 @@ class Interpreter(Answers):
     def note_creation(self) -> None:
         """Here something is created: what runs now is followed call by call, also where precision is given up."""
         self.trace.creating.update(frame.code.key for frame in self.frames)
+        self.trace.deeds += 1
 
     def note_effect(self, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""
@@ -190,6 +192,8 @@ class Interpreter(Answers):
     def put(self, address: int, obj: Obj) -> None:
         """Replace the record at an address."""
         state = self.state
+        if state.heap.get(address) is obj:
+            return
         state.heap[address] = obj
         if self.watch is not None:
             self.watch.wrote(address)
@@ -217,7 +221,10 @@ class Interpreter(Answers):
         if frame is None:
             return Ref(self.place_at((obj.kind, site), obj))
         key = (frame.context, frame.code.key, frame.op.number, frame.next(), site, obj.kind, obj.cls)
-        address = self.place_at(key, obj)
+        address = self.place_key(key)
+        if self.state.heap.get(address) is None:
+            self.trace.made.append(address)
+        self.place_anew(address, obj)
         if self.watch is not None:
             self.watch.made(address, site)
         return Ref(address)

@@ -55,6 +55,7 @@ def add(
 ) -> None:
     """Register a callback; here, unless another place is given. `answered` is called with what it returns."""
     book = machine.schedule_book
+    machine.trace.given += (callback, *(args or ()), *(() if answered is None else (answered,)))
     for option in options(callback):
         key = (option, args)
         book.by_library = book.by_library or event in (BY_LIBRARY, BY_BASE)
@@ -122,6 +123,7 @@ def spin(machine: Engine) -> None:
     book = machine.schedule_book
     if book.running:
         return
+    machine.trace.deeds += 1
     if book.settled != (len(book.entries), machine.state.version):
         frames = machine.frames
         with _alone(machine):

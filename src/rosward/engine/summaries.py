@@ -6,11 +6,24 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, final
 
 from rosward.domain.values import UNBOUND, Value
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
+    from rosward.domain.heap import Obj
     from rosward.domain.memory import Heap
     from rosward.domain.state import State
     from rosward.engine.catcher import Catcher
+
+
+class Repeated(NamedTuple):
+    """What a call read, wrote and gave, and what Python may raise in it."""
+
+    reads: tuple[tuple[int, Obj | None], ...]
+    replaced: tuple[tuple[int, Obj | None], ...]
+    """What it wrote over without reading it."""
+    writes: tuple[tuple[int, Obj], ...]
+    value: Value
+    level: int
 
 
 @final
@@ -58,11 +71,11 @@ class Summary:
 class Summaries:
     """What one process remembers of its calls."""
 
-    __slots__ = ("changes", "epoch", "finished", "large", "memo", "provisional", "recursive", "running", "turns")
+    __slots__ = ("_records", "changes", "finished", "large", "provisional", "recursive", "repeated", "running", "turns")
 
     def __init__(self) -> None:
-        self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
-        self.epoch = 0  # which run of a summary's body is going on: what was remembered outside of it tells not what it asked for
+        self.repeated: dict[object, list[Repeated]] = {}  # what calls read, wrote and gave, by what else they depend on
+        self._records = 0  # of how many records that speaks, those of calls that were forgotten included
         self.running: dict[object, Summary] = {}  # of recursions that are being solved
         self.finished: dict[object, Summary] = {}  # of recursions and large functions; in coarse mode only
         self.provisional = 0  # how often an unfinished summary of a recursion was read
@@ -70,3 +83,13 @@ class Summaries:
         self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one
+
+    def keep(self, key: object, call: Repeated, apart: int, most: int) -> None:
+        """Remember a call: `apart` of each key, the latest first, and all of them until they speak of so many records."""
+        self._records += 1 + len(call.reads) + len(call.replaced) + len(call.writes)
+        if self._records > most:
+            self.repeated.clear()
+            self._records = 0
+        known = self.repeated.setdefault(key, [])
+        known.insert(0, call)
+        del known[apart:]

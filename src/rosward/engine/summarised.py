@@ -152,7 +152,6 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
     context = machine.context("summary", function.code.key)
     ended = _ended(machine)
     asked_for, machine.asked_for = machine.asked_for, summary.asked_for
-    epoch, summaries.epoch = summaries.epoch, machine.fresh_version()
     try:
         for _ in range(machine.budget.fixpoint * 4):
             reads, seen, changes = summaries.provisional, summary.versions, summaries.changes
@@ -184,7 +183,6 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
         summary.asked_for |= machine.asked_for  # which is another set where callbacks have run
         machine.asked_for = asked_for
         summary.whole = summary.whole or key[0] in summaries.recursive or ended != _ended(machine)
-        summaries.epoch = epoch
 
 
 def _ended(machine: Engine) -> int | None:

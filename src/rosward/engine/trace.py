@@ -14,7 +14,7 @@ from rosward.source.location import Place
 class Trace:
     """What the interpretation of one process came by."""
 
-    __slots__ = ("asked", "creating", "entered", "handed", "instantiated", "reached")
+    __slots__ = ("asked", "creating", "deeds", "entered", "given", "handed", "instantiated", "made", "reached")
 
     def __init__(self) -> None:
         self.creating: set[str] = set()  # the key of each code body within which something of ROS was created
@@ -22,4 +22,14 @@ class Trace:
         self.reached: set[OpKey] = set()  # each operation that was run and reads a method that creates an entity
         self.instantiated: set[Place] = set()  # where the classes stand of which there are objects
         self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
+        self.deeds = 0  # how often something was done that is more than a write: what creates, waits or ends
+        self.given: list[Value] = []  # what was registered, or reached unknown code, since this was emptied last
+        self.made: list[
+            int
+        ] = []  # the objects and cells that are new since this was emptied last: nobody else has them
         self.asked: set[tuple[str, str, str]] = set()  # what may be called unseen: see `analysis/unreached.py`
+
+    def hand(self, value: Value, place: Place) -> None:
+        """A class or object reaches unknown code."""
+        self.handed.setdefault(value, place)
+        self.given.append(value)

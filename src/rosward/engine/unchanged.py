@@ -24,7 +24,7 @@ _LEAST: Final = 2
 
 def is_unchanged(machine: Engine, entry: Scheduled) -> bool:
     """Whether a callback would do what it did the last time."""
-    if entry.runs < _LEAST or entry.around != _around(machine):
+    if entry.runs < _LEAST or entry.around != around(machine):
         return False
     heap = machine.state.heap
     return all(heap.get(address) is record for address, record in entry.read)
@@ -33,20 +33,21 @@ def is_unchanged(machine: Engine, entry: Scheduled) -> bool:
 @contextmanager
 def remembered(machine: Engine, entry: Scheduled, before: State) -> Iterator[None]:
     """A callback runs, from a state: what it reads there is noted with it."""
-    around, outer = _around(machine), machine.asked_for
+    now, outer = around(machine), machine.asked_for
     machine.asked_for = set()
-    machine.summaries.memo.clear()  # what is remembered of a call tells nothing of what the call read
+    machine.trace.given.clear()
+    machine.trace.made.clear()
     try:
         yield
     finally:
         heap: Heap = before.heap
         entry.read = [(address, heap.get(address)) for address in machine.asked_for]
         entry.runs += 1
-        entry.around = around
+        entry.around = now
         machine.asked_for |= outer
 
 
-def _around(machine: Engine) -> tuple[object, ...]:
+def around(machine: Engine) -> tuple[object, ...]:
     """What callbacks may ask for that is no record of the heap; all of it only grows."""
     book = machine.schedule_book
     return (

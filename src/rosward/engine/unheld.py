@@ -41,7 +41,7 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     held: set[int] = set()
     inside: dict[int, list[Ref]] = {}  # what messages and cells themselves hold
     for address, obj in machine.state.heap.items():
-        found = list(_held_by(obj))
+        found = list(held_by(obj))
         if obj.kind == "cell" or (obj.kind == "instance" and obj.cls.__class__ is External):
             inside[address] = found
         else:
@@ -50,16 +50,16 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
         return set()
     arriving: Counter[int] = Counter()
     for entry in entries:
-        held.update(r.address for r in _refs((entry.callback,)))
-        for ref in _refs(entry.args or ()):
+        held.update(r.address for r in refs_in((entry.callback,)))
+        for ref in refs_in(entry.args or ()):
             arriving[ref.address] += 1 if entry.event in ARRIVING else 2
-        held.update(r.address for obj in _only_there(machine, entry) for r in _held_by(obj))
+        held.update(r.address for obj in _only_there(machine, entry) for r in held_by(obj))
     held.update(address for address, count in arriving.items() if count > 1)
     for frame in frames:
         held.update(frame.cells)
-        held.update(r.address for r in _refs(frame.registers))
-        held.update(r.address for r in _refs((frame.exits.value,)))
-    held.update(r.address for r in _refs(machine.trace.handed))
+        held.update(r.address for r in refs_in(frame.registers))
+        held.update(r.address for r in refs_in((frame.exits.value,)))
+    held.update(r.address for r in refs_in(machine.trace.handed))
     work = [address for address in inside if address in held]
     while work:
         for ref in inside[work.pop()]:
@@ -79,32 +79,32 @@ def _only_there(machine: Engine, entry: Scheduled) -> Iterator[Obj]:
                     yield obj
 
 
-def _held_by(obj: Obj) -> Iterator[Ref]:
+def held_by(obj: Obj) -> Iterator[Ref]:
     """What an object refers to."""
-    yield from _refs(obj.attrs.values())
+    yield from refs_in(obj.attrs.values())
     if obj.kind == "instance":
         return
     if obj.items:
-        yield from _refs(obj.items)
+        yield from refs_in(obj.items)
     if obj.rest is not None:
-        yield from _refs((obj.rest,))
+        yield from refs_in((obj.rest,))
     if obj.entries:
-        yield from _refs(obj.entries)
-        yield from _refs(obj.entries.values())
+        yield from refs_in(obj.entries)
+        yield from refs_in(obj.entries.values())
     if obj.rest_key is not None:
-        yield from _refs((obj.rest_key,))
+        yield from refs_in((obj.rest_key,))
     if obj.ends is not None:
-        yield from _refs((*obj.ends.head, *obj.ends.tail))
+        yield from refs_in((*obj.ends.head, *obj.ends.tail))
     if obj.payload.__class__ is Alternatives:
-        yield from _refs(value for value, _ in obj.payload.elements)
+        yield from refs_in(value for value, _ in obj.payload.elements)
     if isinstance(obj.payload, Ref):
         yield obj.payload
     if isinstance(obj.payload, Suspension):
         for point, values in obj.payload.points.items():
-            yield from _refs((point.function, *values))
+            yield from refs_in((point.function, *values))
 
 
-def _refs(values: Iterable[Value]) -> Iterator[Ref]:
+def refs_in(values: Iterable[Value]) -> Iterator[Ref]:
     """The references in values."""
     for value in values:
         cls = value.__class__
@@ -113,26 +113,26 @@ def _refs(values: Iterable[Value]) -> Iterator[Ref]:
         if value.__class__ is Ref:
             yield value
         elif isinstance(value, Choice):
-            yield from _refs(value.options)
+            yield from refs_in(value.options)
         elif isinstance(value, Tuple):
-            yield from _refs(value.items)
+            yield from refs_in(value.items)
         elif isinstance(value, BoundMethod):
-            yield from _refs((value.receiver, value.function))
+            yield from refs_in((value.receiver, value.function))
         elif isinstance(value, Partial):
-            yield from _refs((value.function, *value.arguments, *(v for _, v in value.keywords)))
+            yield from refs_in((value.function, *value.arguments, *(v for _, v in value.keywords)))
         elif isinstance(value, Function):
             yield from map(Ref, value.cells)
-            yield from _refs((*value.defaults, *(v for _, v in value.kwdefaults)))
+            yield from refs_in((*value.defaults, *(v for _, v in value.kwdefaults)))
         elif isinstance(value, Pointer):
-            yield from _refs((value.target,))
+            yield from refs_in((value.target,))
         elif isinstance(value, Slot):
-            yield from _refs((value.base, *((value.key,) if isinstance(value.key, Value) else ())))
+            yield from refs_in((value.base, *((value.key,) if isinstance(value.key, Value) else ())))
         elif isinstance(value, Overloads):
-            yield from _refs((*value.functions, *(() if value.receiver is None else (value.receiver,))))
+            yield from refs_in((*value.functions, *(() if value.receiver is None else (value.receiver,))))
         elif isinstance(value, Super):
-            yield from _refs((value.receiver,))
+            yield from refs_in((value.receiver,))
         elif isinstance(value, Descriptor):
-            yield from _refs(v for v in (value.getter, value.setter, value.deleter) if v is not None)
+            yield from refs_in(v for v in (value.getter, value.setter, value.deleter) if v is not None)
 
 
 def arrive(machine: Engine, entry: Scheduled) -> None:

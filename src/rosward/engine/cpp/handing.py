@@ -189,7 +189,7 @@ def watch(machine: Engine, cls: Class, ref: Ref) -> None:
     """A base that is not known may call what an object overrides of it, with anything; other functions, where nothing else calls them."""
     if not any(is_foreign(base) for base in cls.mro):
         return
-    machine.trace.handed.setdefault(ref, machine.place)
+    machine.trace.hand(ref, machine.place)
     for symbol, function in own_functions(machine, cls):
         if symbol.virtual:
             machine.schedule(BoundMethod(ref, function), None, BY_BASE)

@@ -308,7 +308,7 @@ def _framework(machine: Engine, cls: Class, ref: Ref) -> None:
     outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
     if not outside:
         return
-    machine.trace.handed.setdefault(ref, machine.place)
+    machine.trace.hand(ref, machine.place)
     for name, method in own_methods(machine, cls, ref):
         if not name.startswith("__"):
             machine.schedule(method, None, BY_BASE)
