@@ -38,9 +38,10 @@ def key_of(machine: Engine, function: Function, registers: list[Value]) -> tuple
     """What a call depends on beside the records that it reads.
 
     What a model finds unknown is so at the place of its caller. Who watches wants to see each call that may do something, and what a launch
-    has set is no record: there a call is repeated only where no record at all has changed.
+    has set is no record: there a call is repeated only where no record at all has changed. So it is while a summary is solved, which comes to
+    rest by the states that its body goes through.
     """
-    whole = machine.watch is not None or machine.log.holds_more
+    whole = machine.watch is not None or machine.log.holds_more or bool(machine.summaries.running)
     return (
         function,
         tuple(registers),
