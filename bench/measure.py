@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import os
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -48,13 +49,26 @@ class Extraction:
     trouble: str | None
 
 
+def _without_results() -> str:
+    """A cache folder in which rosward's own models may be, and no result of an earlier run is."""
+    folder = Path(tempfile.gettempdir(), f"rosward-bench-{os.getuid()}")
+    for results in folder.glob("results-*"):
+        shutil.rmtree(results)
+    return str(folder)
+
+
 def measure(command: Sequence[str], *, seconds: float) -> Run:
     """Run `command` for at most `seconds` and return its cost; its output and errors are kept together."""
     expired = threading.Event()
     with tempfile.TemporaryFile() as out:
         start = time.monotonic()
         process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, start_new_session=True
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=out,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+            env={**os.environ, "ROSWARD_CACHE": _without_results()},
         )
         resource.prlimit(process.pid, resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
 

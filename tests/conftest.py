@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Options of the test suite."""
 
+import os
+import shutil
+import tempfile
 from collections.abc import Iterator
 
 import pytest
@@ -24,6 +27,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    if (
+        "PYTEST_XDIST_WORKER" not in os.environ
+    ):  # one folder for all workers, and nothing of the person who runs the tests
+        os.environ["ROSWARD_CACHE"] = folder = tempfile.mkdtemp(prefix="rosward-tests-")
+        config.add_cleanup(lambda: shutil.rmtree(folder, ignore_errors=True))
     config.addinivalue_line("markers", "slow: runs with --slow only, as in .ci/run")
 
 
@@ -46,4 +54,12 @@ def remembered() -> Iterator[None]:
     """Analyses of the examples are done once: see `remembered.py`."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("rosward.pipeline.extract", remembering.extract)
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def no_results_of_earlier_tests() -> Iterator[None]:
+    """No test finds what another one has found; those of the cache ask for it (`tests/cache`)."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("rosward.cli.kept.results_folder", lambda: None)
         yield

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from rosward.cli import command_line, main
+from rosward.cli import main
+from rosward.cli.command_line import command_line
 from rosward.cli.configuration_keys import KEYS, NEVER
 
 PAGE = (Path(__file__).parents[1] / "docs" / "configuration.md").read_text(encoding="utf-8")

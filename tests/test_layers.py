@@ -2,7 +2,7 @@
 """The architecture, enforced: imports point one way, modules stay small, nothing that changes lives in a module.
 
 source ── ir ── frontends
-          domain ── effects ── naming ── models ── engine ── deployment ── analysis ── pipeline ── cli, server
+          domain ── effects ── naming ── models ── engine ── deployment ── analysis ── pipeline ── cli, server, surveying
           ros ── network ── influence, policies ── enclaves, audit, diff ── explanation ── outputs ──┘
 """
 
@@ -29,6 +29,7 @@ _RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "influence", "s
 ALLOWED: Final[dict[str, frozenset[str]]] = {
     "holes": frozenset(),
     "safe": frozenset(),
+    "confined": frozenset(),
     "records": frozenset(),
     "source": _TEXT | {"_version"},
     "findings": _TEXT,
@@ -48,10 +49,12 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "network": _NETWORK,
     "flow": frozenset({"flow"}) | _ENGINE,
     "deployment": frozenset({"deployment", "network"}) | _ENGINE,
-    "analysis": frozenset({"analysis", "deployment", "flow", "network"}) | _ENGINE,
+    "analysis": frozenset({"analysis", "cache", "deployment", "flow", "network"}) | _ENGINE,
     "policies": _POLICIES,
     "suppression": frozenset({"suppression"}) | _TEXT,
     "enclaves": frozenset({"enclaves", "influence"}) | _POLICIES,
+    "result": _NETWORK,
+    "cache": frozenset({"cache", "result", "_version"}) | _NETWORK,
     "audit": frozenset({"audit"}) | _POLICIES,
     "influence": frozenset({"influence"}) | _NETWORK,
     "diff": frozenset({"diff"}) | _POLICIES,
@@ -59,11 +62,35 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "declaring": frozenset({"declaring", "audit"}) | _POLICIES,
     "git": frozenset({"git", "records"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
-    "pipeline": frozenset({"analysis", "deployment", "enclaves", "network"}) | _ENGINE,
-    "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "_version"})
+    "pipeline": frozenset({"analysis", "cache", "deployment", "enclaves", "network", "result"}) | _ENGINE,
+    "cli": frozenset(
+        {
+            "cli",
+            "analysis",
+            "cache",
+            "declaring",
+            "deployment",
+            "git",
+            "lsp",
+            "outputs",
+            "pipeline",
+            "result",
+            "server",
+            "surveying",
+            "_version",
+        }
+    )
     | _RESULT,
-    "server": frozenset({"server", "analysis", "deployment", "outputs", "pipeline", "_version"}) | _RESULT | _ENGINE,
-    "__init__": frozenset({"pipeline", "_version", "network"}) | _ENGINE,
+    "surveying": frozenset(
+        {"surveying", "confined", "deployment", "network", "outputs", "pipeline", "result", "ros", "_version"}
+    )
+    | _TEXT,
+    "server": frozenset({"server", "confined", "analysis", "deployment", "outputs", "pipeline", "_version"})
+    | _RESULT
+    | _ENGINE,
+    "lsp": frozenset({"lsp", "analysis", "deployment", "network", "pipeline", "result", "suppression", "_version"})
+    | _ENGINE,
+    "__init__": frozenset({"pipeline", "_version", "network", "surveying"}) | _ENGINE,
     "__main__": frozenset({"cli"}),
     "ros2_security": frozenset({"cli"}),
     "_version": frozenset(),
@@ -76,12 +103,23 @@ ON_DEMAND: Final = {
     ("analysis/process.py", "rosward.analysis.linked"),
     ("analysis/process.py", "rosward.flow.process"),
     ("analysis/process.py", "rosward.engine.watch"),
+    ("analysis/runner.py", "rosward.analysis.known"),
+    ("analysis/runner.py", "rosward.analysis.outcome_form"),
+    ("analysis/runner.py", "rosward.analysis.workers"),
+    ("analysis/runner.py", "rosward.cache.codec"),
+    ("analysis/runner.py", "rosward.cache.version"),
     ("analysis/unreached.py", "rosward.analysis.unreached_linked"),
     ("analysis/source_tree.py", "rosward.source.parameter_module"),
     ("analysis/source_tree.py", "rosward.source.yaml_nodes"),
     ("source/discover.py", "rosward.source.packages"),
     ("deployment/given.py", "rosward.deployment.parameter_files"),
     ("outputs/report/page.py", "rosward.outputs.report.frame"),
+    ("surveying/one.py", "rosward.deployment.request"),
+    ("surveying/one.py", "rosward.guard"),
+    ("surveying/one.py", "rosward.pipeline"),
+    ("surveying/one.py", "rosward.rules"),
+    ("surveying/one.py", "rosward.surveying.rows"),
+    ("surveying/run.py", "rosward.surveying.tables"),
 }
 """What is imported in a function because most runs do not need it."""
 

@@ -23,7 +23,7 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
-from rosward.cli import command_line
+from rosward.cli.command_line import command_line
 
 _GENERATED: Final = re.compile(r"^<!-- generated: ([\w.-]+) -->$", re.MULTILINE)
 _GALLERY: Final = DOCS / "gallery.md"

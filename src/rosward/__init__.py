@@ -8,12 +8,16 @@ for node in result.network.nodes:
     print(node.fqn, [e.name for e in node.entities])
 """
 
+from __future__ import annotations
+
 import importlib
-from typing import TYPE_CHECKING, Final
 
 from rosward._version import __version__
 
+TYPE_CHECKING = False  # not from typing: what says again what it said before loads little
 if TYPE_CHECKING:
+    from typing import Final
+
     from rosward.engine.budget import Budget
     from rosward.findings import Finding
     from rosward.network.graph import Action, Network, Service, Topic
@@ -22,6 +26,8 @@ if TYPE_CHECKING:
     from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
     from rosward.rules import Rule, Severity
     from rosward.source.location import Place
+    from rosward.surveying.executing import LostExecutorError
+    from rosward.surveying.run import Survey, SurveyError, survey
 
 __all__ = [
     "Action",
@@ -29,6 +35,7 @@ __all__ = [
     "Entity",
     "EntityKind",
     "Finding",
+    "LostExecutorError",
     "Network",
     "Node",
     "NothingToReadError",
@@ -42,11 +49,14 @@ __all__ = [
     "Rule",
     "Service",
     "Severity",
+    "Survey",
+    "SurveyError",
     "Topic",
     "UnknownRequestError",
     "__version__",
     "by_cause",
     "extract",
+    "survey",
 ]
 
 _WHERE: Final = {
@@ -55,6 +65,7 @@ _WHERE: Final = {
     "Entity": "rosward.ros.entities",
     "EntityKind": "rosward.ros.entities",
     "Finding": "rosward.findings",
+    "LostExecutorError": "rosward.surveying.executing",
     "Network": "rosward.network.graph",
     "Node": "rosward.ros.entities",
     "NothingToReadError": "rosward.pipeline",
@@ -68,10 +79,13 @@ _WHERE: Final = {
     "Rule": "rosward.rules",
     "Service": "rosward.network.graph",
     "Severity": "rosward.rules",
+    "Survey": "rosward.surveying.run",
+    "SurveyError": "rosward.surveying.run",
     "Topic": "rosward.network.graph",
     "UnknownRequestError": "rosward.pipeline",
     "by_cause": "rosward.one_cause",
     "extract": "rosward.pipeline",
+    "survey": "rosward.surveying.run",
 }
 
 

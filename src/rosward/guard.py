@@ -34,6 +34,8 @@ def guarded(work: Callable[[], _T], place: Place, missing: str, *, net: bool) ->
         return work()
     try:
         return work()
+    except BrokenPipeError:  # the reader of our output has gone: nothing failed, and `cli/` ends the run
+        raise
     except Exception as error:
         return internal_error(error, place, missing)
 

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.read import (
@@ -29,6 +29,7 @@ from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.enclaves.size import size_findings
 from rosward.engine.budget import Budget
+from rosward.engine.remembered import Memory, remembering
 from rosward.findings import Finding, Findings
 from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
@@ -39,45 +40,32 @@ from rosward.network.enclave_mode import EnclaveMode
 from rosward.network.graph import Network
 from rosward.network.labels import labelled
 from rosward.network.launch_tree import LaunchSystem
-from rosward.records import NamedTuple, dataclass, replace
+from rosward.records import NamedTuple, replace
+from rosward.result import Result
 from rosward.ros.distro import DEFAULT_DISTRO, Distro
-from rosward.rules import Severity
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.workspace import SkipReason, SourceFile
 
-__all__ = ["Budget", "NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
+if TYPE_CHECKING:
+    from rosward.cache.store import Store
+
+__all__ = [
+    "Budget",
+    "Memory",
+    "NothingToReadError",
+    "Progress",
+    "RequestError",
+    "Result",
+    "UnknownRequestError",
+    "extract",
+    "of_read",
+    "remembering",
+]
+
 
 NO_ARGUMENTS: Final[Mapping[str, str]] = MappingProxyType({})
-
-
-@dataclass(frozen=True)
-class Result:
-    """What an extraction gave. `complete` is False where a finding says that something is missing from the network."""
-
-    network: Network
-    root: Path
-    files: tuple[SourceFile, ...] = ()
-    """The programs and launch files that were read."""
-    systems: tuple[LaunchSystem, ...] = ()
-    """What the launch files start, where they were followed."""
-    excluded: int = 0
-    """How many files and folders were left unread because a pattern means them."""
-    ignored: int = 0
-    """How many folders were left unread because they are marked as ignored (COLCON_IGNORE or similar)."""
-    launch_files: int = 0
-    """How many launch files there are."""
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """All findings, sorted."""
-        return self.network.findings
-
-    @property
-    def complete(self) -> bool:
-        """Whether the network holds all that the sources do, as far as the documented assumptions go."""
-        return not any(f.rule.severity is Severity.ERROR for f in self.findings)
 
 
 def budget_of(factor: float) -> Budget:
@@ -102,6 +90,8 @@ def extract(
     assigned: Assignment = NOTHING_ASSIGNED,
     assumed: bool = True,
     budget: Budget | None = None,
+    jobs: int = 1,
+    store: Store | None = None,
     progress: Progress | None = None,
 ) -> Result:
     """Read the sources under `paths` and return the network of nodes that they make.
@@ -123,6 +113,8 @@ def extract(
         assigned: enclaves that somebody chose for some of the processes.
         assumed: whether the nodes of classes that nothing instantiates are in the result, each marked as assumed.
         budget: limits of the analysis; `Budget().times(4)` has four times the steps.
+        jobs: so many processes of this machine work at once, where there is enough to do; the result is the same.
+        store: a cache; what is known of processes of which nothing has changed is taken from there.
         progress: called as the work goes on.
 
     Raises:
@@ -163,6 +155,8 @@ def extract(
             _Enclaves(mode, assigned),
             tell,
             assumed=assumed,
+            jobs=jobs,
+            store=store,
         )
     )
     asked = asked_of(
@@ -183,6 +177,17 @@ def extract(
     return replace(result, network=replace(result.network, asked=asked))
 
 
+def of_read(read: SourcesRead, request: Request, progress: Progress = silent, *, assumed: bool = True) -> Result:
+    """What a request starts of sources that are read: for those who ask several of them. The caller has the deep stack.
+
+    Raises UnknownRequestError where what is to be started is not there.
+    """
+    mode = EnclaveMode.PROCESS if request.deploys else EnclaveMode.NODE
+    return _extract(
+        read, request, "deny", _Enclaves(mode, NOTHING_ASSIGNED), progress, assumed=assumed, jobs=1, store=None
+    )
+
+
 def _chosen_enclaves(mode: EnclaveMode, assigned: Assignment, root: Path) -> str:
     """How enclaves were chosen: the mode, or the file that assigns them."""
     return place_name(os.path.abspath(assigned.file), root) if assigned.file else mode.value  # noqa: PTH100
@@ -196,7 +201,15 @@ class _Enclaves(NamedTuple):
 
 
 def _extract(
-    read: SourcesRead, request: Request, unknown: UnknownNames, wanted: _Enclaves, progress: Progress, *, assumed: bool
+    read: SourcesRead,
+    request: Request,
+    unknown: UnknownNames,
+    wanted: _Enclaves,
+    progress: Progress,
+    *,
+    assumed: bool,
+    jobs: int,
+    store: Store | None,
 ) -> Result:
     systems: tuple[LaunchSystem, ...] = ()
     if request.deploys:
@@ -204,12 +217,15 @@ def _extract(
 
         gathered, systems = of_request(request, read, progress)
     else:
-        gathered = of_sources(read, request.params, progress, assumed=assumed)
+        gathered = of_sources(read, request.params, progress, assumed=assumed, jobs=jobs, store=store)
     findings = Findings((*read.workspace.findings, *gathered.findings, *read.library.findings))
     workspace = read.workspace
     known = (*workspace.files, *workspace.launch_files, *workspace.cpp_sources)
     headers = sorted(read.sources.cpp_files.keys() - {f.relative for f in known})
-    files = (*known, *(SourceFile(workspace.root / name, name) for name in headers))
+    files = (
+        *(SourceFile(file.path, file.relative) for file in known),
+        *(SourceFile(workspace.root / name, name) for name in headers),
+    )
     reasons = Counter(skipped.reason for skipped in workspace.skipped)
     read.library.given_back()
     return Result(

@@ -8,7 +8,7 @@ from typing import Final
 from rosward.rule import Rule, Severity
 from rosward.rules_of_systems import LATER
 
-__all__ = ["INTERNAL_ERROR", "RULES", "Rule", "Severity"]
+__all__ = ["INTERNAL_ERROR", "KILLED", "RULES", "TIME_LIMIT", "Rule", "Severity"]
 
 
 _E, _W, _N = Severity.ERROR, Severity.WARNING, Severity.NOTE
@@ -337,6 +337,9 @@ _TABLE: Final = (
 )
 
 INTERNAL_ERROR: Final = "RW299"
+TIME_LIMIT: Final = "s of analysis"
+KILLED: Final = "the process that analyses it was killed"
+"""What messages of RW201 say that another machine might not find."""
 """The code of a fault of rosward itself."""
 
 UNREAD_ARGUMENT: Final = "RW322"

@@ -16,7 +16,7 @@ from docsite.command_reference import command_reference, commands_of
 from docsite.pages import DOCS, OUTSIDE, ROOT, anchors, links, pages, prose, slug
 from docsite.repository_links import for_the_site, linked_files, place_in_site
 
-from rosward.cli import command_line
+from rosward.cli.command_line import command_line
 
 PAGES = pages()
 COMMENT = "<!-- SPDX-License-Identifier: Apache-2.0 -->\n"

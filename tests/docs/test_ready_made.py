@@ -17,7 +17,7 @@ import yaml
 from docsite.console import File, steps_of
 from docsite.pages import ROOT
 
-from rosward.cli import command_line
+from rosward.cli.command_line import command_line
 
 Steps = list[dict[str, Any]]
 

@@ -15,7 +15,7 @@ from docsite.command_reference import commands_of
 from docsite.console import ELIDED, Run, agrees, perform, rewritten, runs_of, steps_of
 from docsite.pages import pages
 
-from rosward.cli import command_line
+from rosward.cli.command_line import command_line
 
 pytestmark = pytest.mark.usefixtures("remembered")
 

@@ -12,6 +12,7 @@ import pytest
 
 from rosward.analysis.process import Run, run
 from rosward.analysis.read import read_sources
+from rosward.analysis.seen import seen_of
 from rosward.analysis.unreached import unreached
 from rosward.models.ros.facts import OWN
 from rosward.ros.distro import Distro
@@ -100,6 +101,6 @@ def test_a_run_of_another_process_says_the_same_here(folder: Path, seed: str) ->
     assert module is not None
     here = run(read.library, read.plan.entries[0], read.budget)
     assert facts(sent) == facts(here)
-    told = unreached([sent], [module], OWN)
-    assert told == unreached([here], [module], OWN)
+    told = unreached([seen_of(sent, read.library)], [module], OWN)
+    assert told == unreached([seen_of(here, read.library)], [module], OWN)
     assert [(f.code, f.place.line) for f in told] == [("RW205", 17), ("RW205", 23)]

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from rosward.engine.budget import Budget
 from rosward.pipeline import extract
-from rosward.ros.flows import STRENGTHS
+from rosward.ros.flows import STRENGTHS, NodeCall
 
 
 class Row(NamedTuple):
@@ -42,6 +42,15 @@ def reported(program: Path) -> list[Row]:
         if node.flows is not None
         for sink in node.flows.sinks
     ]
+
+
+def calls_of(program: Path, sink: str) -> tuple[NodeCall, ...]:
+    """What is said of one output for each way to it."""
+    result = extract(program, budget=Budget()._replace(flow=True))
+    (found,) = (
+        s for node in result.network.nodes if node.flows is not None for s in node.flows.sinks if str(s.sink) == sink
+    )
+    return found.calls
 
 
 def said_of(rows: Iterable[Row], sink: str, line: int | None = None, others: Iterable[int] = ()) -> Said | None:

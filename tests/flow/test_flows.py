@@ -13,12 +13,15 @@ from typing import Final, NamedTuple
 
 import pytest
 
+from rosward.cli import main
 from rosward.ros.flows import STRENGTHS
 
-from .reported import reported, said_of
+from .reported import calls_of, reported, said_of
 
 _PROGRAM: Final = """
+import asyncio
 import contextlib
+import multiprocessing
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
@@ -135,6 +138,21 @@ class Robot(Node):
             yield
         except ValueError as error:
             self.value = error.args[0]
+
+    def more(self, msg):
+        for _ in getattr(self, 'items', ()):
+            if msg.data > 1.0:
+                break
+        else:
+            self.value = 1.0
+
+    async def half(self, value):
+        await asyncio.sleep(0)
+        return value / 2.0
+
+    async def gathered(self, value):
+        one, other = await asyncio.gather(self.half(value), self.half(1.0))
+        self.value = one + other
 
     def on_in(self, msg):
 {does}
@@ -345,6 +363,73 @@ CASES: Final = {
     "an element deleted by its method": Case(
         "self.items = [0.0, 1.0]", "if msg.data > 1.0:\n    self.items.__delitem__(0)", "len(self.items)", "control"
     ),
+    "how many of a set": Case("self.value = 0.0", "self.value = msg.data", "float(len({1.0, self.value}))"),
+    "how many of a set that is added to": Case(
+        "self.items = {1.0}", "self.items.add(msg.data)", "float(len(self.items))"
+    ),
+    "how many of a set of a list": Case(
+        "self.items = [1.0, 2.0]", "self.items[0] = msg.data", "float(len(set(self.items)))"
+    ),
+    "how many of a set of a loop": Case(
+        "self.items = [1.0, 2.0]", "self.items[0] = msg.data", "float(len({v for v in self.items}))"
+    ),
+    "how many of a set of tuples": Case(
+        "self.items = [1.0, 2.0]", "self.items[0] = msg.data", "float(len(frozenset((v, 1) for v in self.items)))"
+    ),
+    "how often a loop over a set turns": Case(
+        "self.items, self.value = {1.0}, 0.0",
+        "self.items.update([msg.data])",
+        "sum(1.0 for _ in self.items)",
+        "control",
+    ),
+    "whether a loop comes to its end": Case(
+        "self.items, self.value = [1.0], 0.0",
+        "for v in self.items:\n    if msg.data > 1.0:\n        break\nelse:\n    self.value = 1.0",
+        "self.value",
+        "control",
+    ),
+    "whether a loop has a turn that may leave it": Case(
+        "self.items, self.limit, self.value = [1.0], 1.0, 0.0\n"
+        "self.create_subscription(Float64, '/more', self.more, 10)",
+        "del self.items[:1]",
+        "self.value",
+        "trigger",
+    ),
+    "how many of a dict of pairs": Case(
+        "self.items = [1.0, 2.0]", "self.items[0] = msg.data", "float(len(dict([(v, 1) for v in self.items])))"
+    ),
+    "how many of a dict that pairs update": Case(
+        "self.items, self.table = [1.0, 2.0], {}",
+        "self.items[0] = msg.data\nself.table.update(zip(self.items, self.items))",
+        "float(len(self.table))",
+    ),
+    "what gathered coroutines return": Case("self.value = 0.0", "asyncio.run(self.gathered(msg.data))", "self.value"),
+    "the other end of a pipe": Case(
+        "self.here, self.there = multiprocessing.Pipe()", "self.here.send(msg.data)", "self.there.recv()"
+    ),
+    "a view of bytes": Case(
+        "self.raw = bytearray(8)\nself.view = memoryview(self.raw)", "self.view[0] = int(msg.data)", "self.raw[0]"
+    ),
+    "a view of bytes as numbers": Case(
+        "self.raw = bytearray(8)\nself.view = memoryview(self.raw).cast('d')", "self.view[0] = msg.data", "self.raw[0]"
+    ),
+    "an array behind one operand": Case(
+        "self.grid = np.zeros(2)", "np.sqrt([msg.data, 1.0], self.grid)", "self.grid[0]"
+    ),
+    "an array behind three operands": Case(
+        "self.grid = np.zeros(2)", "np.clip(self.grid, 0.0, msg.data, self.grid)", "self.grid[0]"
+    ),
+    "an array behind an axis and a type": Case(
+        "self.grid = np.zeros(2)", "np.cumsum([msg.data, 1.0], None, None, self.grid)", "self.grid[0]"
+    ),
+    "what a function returns to a library": Case(
+        "self.value = 0.0",
+        "self.value = msg.data",
+        "np.apply_along_axis(lambda row: row * self.value, 0, np.ones(3))[0]",
+    ),
+    "by what a list is sorted": Case(
+        "self.items = [1.0, 2.0]", "self.items.sort(key=lambda v: v * msg.data)", "self.items[0]"
+    ),
     "a set that is changed by another one": Case(
         "self.items = {0.0}", "self.items.symmetric_difference_update({msg.data})", "len(self.items)"
     ),
@@ -419,6 +504,17 @@ def test_a_parameter_chooses_the_publisher(tmp_path: Path) -> None:
     assert "parameter:which" in said.data | said.control
 
 
+def test_a_parameter_that_the_node_sets_may_be_set_by_others(tmp_path: Path) -> None:
+    program = tmp_path / "robot.py"
+    keeps = "self.declare_parameter('gain', 2.0)\nself.set_parameters([Parameter('gain', value=0.0)])"
+    then = _SEND.format("1.0 if self.get_parameter('gain').value > 1.0 else 2.0")
+    indented = (textwrap.indent(part, " " * 8) for part in (keeps, "pass", then))
+    program.write_text(_PROGRAM.format(**dict(zip(("keeps", "does", "then"), indented, strict=True))))
+    said = said_of(reported(program), "topic:/out")
+    assert said is not None
+    assert "parameter:gain" in said.data | said.control
+
+
 _SERVER: Final = """
 import rclpy
 from example_interfaces.action import Fibonacci
@@ -448,3 +544,106 @@ def test_a_cancel_request_decides(tmp_path: Path) -> None:
     said = said_of(reported(program), "feedback:/count")
     assert said is not None
     assert said.control == {"cancel:/count"}
+
+
+_CLIENT: Final = """
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionClient
+from rclpy.node import Node
+from std_msgs.msg import Bool
+
+
+class Client(Node):
+    def __init__(self):
+        super().__init__('client')
+        self.client = ActionClient(self, Fibonacci, '/count')
+        self.goal = None
+        self.client.send_goal_async(Fibonacci.Goal()).add_done_callback(self.accepted)
+        self.create_subscription(Bool, '/stop', self.stop, 10)
+
+    def accepted(self, future):
+        self.goal = future.result()
+
+    def stop(self, msg):
+        if msg.data and self.goal is not None:
+            self.goal.cancel_goal_async()
+
+
+rclpy.init()
+rclpy.spin(Client())
+"""
+
+
+def test_a_cancel_request_reaches_the_server(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "server.py").write_text(_SERVER)
+    (tmp_path / "client.py").write_text(_CLIENT)
+    assert main(["flow", str(tmp_path), "--from", "/stop", "--to", "feedback:/count"]) == 0
+    assert capsys.readouterr().out == (
+        "/stop → feedback /count: control, 2 nodes\n"
+        "  /client: control, /stop to cancel /count\n"
+        "    client.py:20\n"
+        "    client.py:22\n"
+        "  /server: control, cancel /count to feedback /count\n"
+        "    server.py:14\n"
+        "    server.py:15\n"
+    )
+
+
+_SPEAKER: Final = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Speaker(Node):
+    def __init__(self):
+        super().__init__('speaker')
+        self.pub = self.create_publisher(String, '/out', 10)
+        self.create_subscription(String, '/plan', self.on_plan, 10)
+        self.create_subscription(String, '/map', self.on_map, 10)
+
+    def on_plan(self, msg):
+        self.say('a plan')
+        self.twice(msg.data)
+
+    def on_map(self, msg):
+        self.twice(msg.data)
+
+    def twice(self, text):
+        self.say(text)
+        self.say(text * 2)
+
+    def say(self, text):
+        self.pub.publish(String(data=text))
+"""
+
+
+def test_what_a_function_sends_is_told_for_each_caller(tmp_path: Path) -> None:
+    program = tmp_path / "speaker.py"
+    program.write_text(_SPEAKER + "\n\nrclpy.init()\nrclpy.spin(Speaker())\n")
+    said = {tuple(place.line for place in call.through): call for call in calls_of(program, "topic:/out")}
+    assert sorted(said) == [(15,), (16, 22), (16, 23), (19, 22), (19, 23)]
+    assert said[15,].data == ()
+    for way, call in said.items():
+        if len(way) == 2:
+            assert list(map(str, call.data)) == ["topic:/plan" if way[0] == 16 else "topic:/map"]
+
+
+def test_callers_of_what_calls_itself_are_not_told_apart(tmp_path: Path) -> None:
+    program = tmp_path / "speaker.py"
+    changed = _SPEAKER.replace("self.say(text * 2)", "if len(text) < 100:\n            self.twice(text * 2)")
+    program.write_text(changed + "\n\nrclpy.init()\nrclpy.spin(Speaker())\n")
+    assert calls_of(program, "topic:/out") == ()
+
+
+def test_a_row_for_each_caller(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    program = tmp_path / "speaker.py"
+    program.write_text(_SPEAKER + "\n\nrclpy.init()\nrclpy.spin(Speaker())\n")
+    assert main(["flow", str(program)]) == 0
+    assert capsys.readouterr().out == (
+        "/speaker  speaker.py\n"
+        "  /out  constant     speaker.py:26 called at speaker.py:15\n"
+        "  /out  data  /plan  speaker.py:26 called at speaker.py:16\n"
+        "  /out  data  /map   speaker.py:26 called at speaker.py:19\n"
+    )

@@ -133,6 +133,8 @@ def memory() -> Memory:
         nodes=set(),
         placed=set(),
         several=set(),
+        kind=lambda _: "instance",
+        part=lambda _, __: None,
         held=lambda _: (),
         parts=lambda _: (),
     )
@@ -215,6 +217,35 @@ def test_all_that_a_value_leads_to_counts(before: list[Any], mark: Mark) -> None
     assert found | mark.mask == found
     for root in mark.roots:
         assert found | made.of(root).whole.mask == found
+
+
+further = st.sampled_from(
+    [ONE, MANY, ("made", "here"), ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"), ("slot", ONE, "a", "one")]
+)
+leading = st.builds(Mark, masks, st.frozensets(further))
+acts = st.tuples(
+    st.sampled_from(["write", "add", "fork", "other", "join"]), further, keys, leading, st.frozensets(further)
+)
+
+
+@given(st.lists(acts, max_size=12))
+def test_a_look_that_is_kept_finds_what_a_new_one_finds(several: list[Any]) -> None:
+    here, there = memory(), memory()
+    for act, root, key, mark, looked in several:
+        if act == "write":
+            here.write(frozenset((root,)), key, mark)
+        elif act == "add":
+            here.write_any([root], mark, mark.mask)
+        elif act == "fork":
+            there = here.copy()
+        elif act == "other":
+            here, there = there, here
+        else:
+            here.join(there)
+        fresh = Memory(here.shape)
+        fresh.join(here)
+        for each in (looked, frozenset((root,)), mark.roots):
+            assert here.deep(Mark(0, each)) == fresh.deep(Mark(0, each))
 
 
 def test_nothing_stands_where_nothing_was_written() -> None:

@@ -9,11 +9,14 @@ import pytest
 
 import rosward
 from rosward.engine.budget import Budget
+from rosward.influence.check import against
+from rosward.influence.graph import graph_of
+from rosward.influence.policy import read_policy
 from rosward.ros.flows import STRENGTHS
 
 STUB = '''
 """acme: a link."""
-from _rosward import changes, pure, releases, sink, source
+from _rosward import changes, hands, pure, releases, sink, source
 
 class Link:
     def __init__(self, port): ...
@@ -31,6 +34,8 @@ class Channel:
     @sink("network")
     def put(self, data): ...
 
+@hands("acme.Link")
+def serve(handler) -> None: ...
 @releases("a digest with a secret salt")
 def digest(data) -> str: ...
 @pure
@@ -196,3 +201,53 @@ def test_a_wrong_mark_is_told_without_flow(tmp_path: Path) -> None:
         ("_rosward has no snik", "models:acme.pyi", 3),
         ("'devices' is no kind of sink", "models:acme.pyi", 7),
     ]
+
+
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        (f"if msg.data == 'x': {SEND.format('digest(self.get_namespace())')}", ["RW606"]),
+        (SEND.format("digest(msg.data)"), []),
+    ],
+)
+def test_what_is_protected_decides_what_a_library_releases(statement: str, expected: list[str], tmp_path: Path) -> None:
+    result = analysed(tmp_path, models__acme_dot_pyi=STUB, src__robot_dot_py=PROGRAM.format(statement))
+    policy = read_policy({"rule": [{"name": "kept", "from": ["/in"], "not-to": ["network"]}]})
+    found = against(graph_of(result.network.nodes), policy)
+    assert [f.code for f in found] == expected
+    assert all(f.message == "/in decides what acme.digest releases" for f in found)
+
+
+HANDLERS = """
+    async def each(self, link, *more):
+        await link.send(self.kept)
+
+    def plain(self, rate, link):
+        link.send(self.kept)
+"""
+
+
+@pytest.mark.parametrize(
+    "registered",
+    ["acme.serve(self.each)", "acme.serve(partial(self.plain, 3))", "acme.serve(lambda k: self.plain(1, k))"],
+)
+def test_what_a_library_calls_a_callback_with(registered: str, tmp_path: Path) -> None:
+    program = PROGRAM.format("self.kept = msg.data").replace(
+        "from acme import", "from functools import partial\nimport acme\nfrom acme import"
+    )
+    program = program.replace("self.pipe =", f"self.kept = ''; {registered}; self.pipe =").replace(
+        "\nrclpy.init", HANDLERS + "\nrclpy.init"
+    )
+    assert said(analysed(tmp_path, models__acme_dot_pyi=STUB, src__robot_dot_py=program)) - {"process"} == {
+        "device; data topic:/in"
+    }
+
+
+@pytest.mark.parametrize("module", ["websockets", "websockets.server", "websockets.asyncio.server"])
+def test_a_server_of_web_sockets_sends_into_the_network(module: str, tmp_path: Path) -> None:
+    program = PROGRAM.format("self.kept = msg.data").replace("from acme import Link, digest, scale", f"import {module}")
+    program = program.replace(
+        "self.link, self.other = Link('a'), Link('b')", f"self.kept = ''; {module}.serve(self.each, '0.0.0.0', 8765)"
+    )
+    program = program.replace("\nrclpy.init", HANDLERS + "\nrclpy.init")
+    assert said(analysed(tmp_path, src__robot_dot_py=program)) - {"process"} == {"network; data topic:/in"}

@@ -3,9 +3,9 @@
 
     watched(["extract", str(ws), "-o", str(out)], inputs=ws, outputs=out)  ->  Watched(status=1, events=[], stdout='…', stderr='…')
 
-Python tells an audit hook of each file that is opened, each program that is started, each socket and each text that is compiled. An event
-is harm if it writes outside of the output folder, starts a program other than the renderer of pictures, touches the network, or runs text
-of the input. Memory and time are bounded by the operating system.
+Python tells an audit hook of each file that is opened, each program that is started, each socket and each text that is compiled.
+An event is harm if it writes outside of the output folder and of rosward's own cache folder, starts a program other than the
+renderer of pictures, touches the network, or runs text of the input. Memory and time are bounded by the operating system.
 """
 
 from __future__ import annotations
@@ -31,6 +31,9 @@ import json, os, resource
 log, inputs, outputs, megabytes, file_bytes, seconds = sys.argv[1:7]
 inputs = os.path.realpath(inputs)
 outputs = os.path.realpath(outputs)
+kept = os.path.realpath(os.environ["ROSWARD_CACHE"])
+if hasattr(os, "sched_setaffinity"):  # with one core there are no workers: nobody would hear what they do
+    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
 events = []
 
 def inside(path, folder):
@@ -39,6 +42,9 @@ def inside(path, folder):
     except (TypeError, ValueError):
         return False
     return path == folder or path.startswith(folder + os.sep)
+
+def is_own(path):
+    return inside(path, outputs) or inside(path, kept)
 
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 CHANGES = {"os.remove", "os.rmdir", "os.mkdir", "os.chmod", "os.chown", "os.truncate", "os.utime", "os.link", "os.symlink", "os.rename",
@@ -50,11 +56,11 @@ def hook(name, args):
         path, mode, flags = args
         if isinstance(path, int) or path is None:
             return
-        if flags & WRITING and not inside(path, outputs) and os.fsdecode(path) not in ("/dev/null",):
+        if flags & WRITING and not is_own(path) and os.fsdecode(path) not in ("/dev/null",):
             events.append([name, os.fsdecode(path)])
     elif name in CHANGES:
         paths = [a for a in args if isinstance(a, (str, bytes))]
-        if not all(inside(p, outputs) or inside(os.path.dirname(p) or ".", outputs) for p in paths):
+        if not all(is_own(p) or is_own(os.path.dirname(p) or ".") for p in paths):
             events.append([name, repr(args)])
     elif name == "subprocess.Popen":
         program = args[0] if isinstance(args[0], str) else os.fsdecode(args[0])

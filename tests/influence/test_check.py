@@ -137,3 +137,23 @@ def test_a_thousand_nodes_with_any_name() -> None:
 def test_a_rule_that_nobody_can_follow(table: dict[str, object], why: str) -> None:
     with pytest.raises(PolicyError, match=why.replace("`", ".")):
         read_policy(table)
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (("/a: topic:/camera/small <- topic:/camera/image",), ["RW601"]),
+        (("/a: topic:/x <- topic:/camera/image", "/b: topic:/camera/small <- topic:/x"), ["RW601"]),
+        (
+            (
+                "/a: topic:/x <- topic:/camera/small, topic:/y",
+                "/b: topic:/camera/small <- topic:/x",
+                "/c: topic:/y <- topic:/camera/image",
+            ),
+            ["RW601"],
+        ),
+        (("/a: topic:/x <- topic:/camera/small", "/b: topic:/camera/small <- topic:/x"), []),
+    ],
+)
+def test_one_of_the_sources_may_be_forbidden_to_the_others(lines: tuple[str, ...], expected: list[str]) -> None:
+    assert codes(rule(**{"from": ["/camera/**"], "not_to": ["/camera/small", "network"]}), *lines) == expected

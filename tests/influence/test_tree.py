@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 from rosward.influence.graph import graph_of
-from rosward.influence.search import at_least
+from rosward.influence.search import at_least, upstream
 from rosward.influence.select import Selection, meant
 from rosward.influence.tree import Tree
+from rosward.outputs.terminal.flow_text import tree_text
 
 from .systems import system
 
@@ -66,3 +67,13 @@ def test_a_sender_of_a_name_that_may_be_this_one_counts_where_it_arrives() -> No
 def test_a_very_long_chain() -> None:
     lines = [f"/n{n}: topic:/t{n} <- topic:/t{n + 1}" for n in range(3_000)]
     assert len(tree("/t0", *lines)) == 3_001
+
+
+def test_the_text_of_a_tree_has_a_bound() -> None:
+    lines = [f"/n{i}: topic:/* <- topic:/*, topic:/a{i}" for i in range(60)]
+    graph = graph_of(system(*lines))
+    targets = meant([Selection("**")], graph.vertices)
+    passing = at_least("control")
+    told = tree_text(graph, targets, upstream(graph, targets, passing), passing).splitlines()
+    assert told[-1] == "…  (use --format json for everything)"
+    assert len(told) == 2_001

@@ -28,7 +28,7 @@ def sink(word: str, line: int = 9, file: str = "a.py", **sources: Any) -> NodeSi
     ends = {strength: tuple(map(end, sources.get(strength, ()))) for strength in ("data", "control", "trigger")}
     assumed = tuple(map(end, sources.get("assumed", ())))
     paths = tuple((one, (Place(file, line - 4), at)) for one in (*ends["data"], *ends["control"]))
-    return NodeSink(end(word), at, **ends, assumed=assumed, paths=paths)
+    return NodeSink(end(word), at, ends["data"], ends["control"], ends["trigger"], assumed, paths)
 
 
 def flowing(one: Node, *sinks: NodeSink, **more: Any) -> Node:

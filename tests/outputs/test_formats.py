@@ -10,7 +10,8 @@ from typing import Final
 
 import pytest
 
-from rosward.cli import command_line, main
+from rosward.cli import main
+from rosward.cli.command_line import command_line
 from rosward.outputs.documents import github, junit, network_json, sarif
 from rosward.outputs.formats import BY_NAME, DEFAULT_FORMATS, FORMATS, OF_FINDINGS, Format
 from rosward.outputs.graphs import dot, mermaid, svg

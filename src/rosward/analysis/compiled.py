@@ -27,6 +27,7 @@ from rosward.frontends.cpp.preprocess import Preprocessor
 from rosward.frontends.cpp.program import Linked, SymbolStore
 from rosward.guard import guarded
 from rosward.records import NamedTuple
+from rosward.source import disk
 from rosward.source.cmake.programs import Builds, Program, Unit
 from rosward.source.location import Place
 from rosward.source.text import place_name
@@ -258,7 +259,7 @@ def _include_folders(file: SourceFile, workspace: Workspace) -> Iterable[str]:
     folder = file.path.parent
     root = workspace.root
     while folder.is_relative_to(root):
-        if (folder / "include").is_dir():
+        if disk.is_folder(folder / "include"):
             yield os.fspath(folder / "include")
         if folder == root:
             break

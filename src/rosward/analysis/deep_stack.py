@@ -7,6 +7,7 @@ import gc
 import sys
 import threading
 from collections.abc import Callable
+from contextvars import copy_context
 from types import FunctionType
 from typing import Final, TypeVar
 
@@ -28,7 +29,8 @@ _in_one_chunk: Final = FunctionType(_call.__code__.replace(co_stacksize=_SLOTS),
 
 
 def with_deep_stack(work: Callable[[], _T]) -> _T:
-    """Run `work` in such a thread; what it raises is raised here."""
+    """Run `work` in such a thread, in a copy of this context; what it raises is raised here."""
+    context = copy_context()
     outcome: list[_T] = []
     failure: list[BaseException] = []
 
@@ -38,7 +40,7 @@ def with_deep_stack(work: Callable[[], _T]) -> _T:
         limit = sys.getrecursionlimit()
         sys.setrecursionlimit(_RECURSION)
         try:
-            outcome.append(_in_one_chunk(work))
+            outcome.append(context.run(_in_one_chunk, work))
         except BaseException as error:
             failure.append(error)
         finally:

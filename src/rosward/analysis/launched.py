@@ -17,6 +17,7 @@ from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.plan import Plan
 from rosward.analysis.process import Run, run
 from rosward.analysis.read import EVERYTHING, Progress, SourcePath, SourcesRead, read_sources
+from rosward.analysis.seen import note_variables, seen_of
 from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.standalone import Gathered
 from rosward.analysis.systems import Outset, System, systems_of
@@ -144,13 +145,14 @@ def _of_systems(
         for label, members in processes.items():
             nodes += _distinct(label, members, known)
     findings.update(_of_packages(sources, outset.workspace, packages))
-    for each in runs.all():
-        asked.add_required(each.log.variables)
-    entered = {code for run in runs.all() for code in run.entered}
+    seen = [seen_of(each, outset.library) for each in runs.all()]
+    for one in seen:
+        note_variables(one, asked)
+    entered = {code for one in seen for code in one.entered}
     read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and m.code.key in entered]
     missing = "unreachable code is not reported"
     told = guarded(
-        lambda: unreached_of(runs.all(), read, outset.library.facts, sources, everywhere=False),
+        lambda: unreached_of(seen, read, outset.library.facts, sources, everywhere=False),
         Place("", 0),
         missing,
         net=outset.budget.net,

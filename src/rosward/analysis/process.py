@@ -1,17 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What runs: the processes of a set of sources, and the interpretation of each.
 
-from rosward.effects.flows import ProcessFlows
 A process is a console script, a script with a `__main__` block, a file that does something when run, or a file with node classes that
 nothing instantiates. Each of those is instantiated with unknown arguments, and its nodes are assumed: nothing is known to make them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from rosward.domain.compound import External
 from rosward.domain.state import join_states
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
@@ -26,15 +23,14 @@ from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
-from rosward.engine.reads import Reads
+from rosward.engine.reads import Question, Reads
+from rosward.engine.remembered import depends_on_the_machine
 from rosward.engine.shared import Shared
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
-from rosward.models.readers import creates_nothing
 from rosward.records import NamedTuple, dataclass
 from rosward.source.location import Place
-from rosward.source.standard_library import STANDARD_LIBRARY
 
 if TYPE_CHECKING:
     from rosward.engine.watch import Watch
@@ -62,7 +58,33 @@ class Run(NamedTuple):
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
-    """Interpret one process to its end, and everything that it schedules, as the configuration starts it."""
+    """Interpret one process to its end, and everything that it schedules, as the configuration starts it; or remember what it did."""
+    memory = library.memory
+    if memory is None:
+        return _run(library, entry, budget, configuration)
+
+    def now() -> tuple[Run, tuple[Question, ...] | None]:
+        found = _run(library, entry, budget, configuration)
+        failed = found.reads is None or any(map(depends_on_the_machine, found.log.findings))
+        return found, None if failed or found.reads is None else found.reads.questions
+
+    found: Run = memory.run((entry, budget, how_started(configuration)), library.plain_sources, now)
+    return found
+
+
+def how_started(configuration: Configuration | None) -> tuple[object, ...]:
+    """What tells one way of starting a program from another."""
+    if configuration is None:
+        return ()
+    return (
+        configuration.words,
+        configuration.component,
+        tuple(sorted(configuration.files.items(), key=lambda item: item[0])),
+        tuple(sorted(configuration.environment.items(), key=lambda item: item[0])),
+    )
+
+
+def _run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
     with library.reading() as reading:
         found = _interpret(library, entry, budget, configuration)
     variables = tuple(sorted(found.log.variables.read))
@@ -220,74 +242,6 @@ def _needs_nothing(function: Value) -> bool:
     )
 
 
-def node_classes(runs: Iterable[Run], library: Shared) -> dict[str, list[str]]:
-    """The node classes that no process instantiates and no other class inherits from, by file: their names."""
-    return _by_file(c for c in _unmade(runs) if _is_node(c, library))
-
-
-def called_from_outside(runs: Iterable[Run], library: Shared) -> dict[str, list[str]]:
-    """The classes that no process instantiates, but a framework may, by file: their names.
-
-    class ArmEnv(gymnasium.Env)                                    a framework that is not read makes what derives from its classes
-    class Driver: def init(self, robot, properties), def step      Webots makes what has these methods
-    """
-    return _by_file(
-        c
-        for c in _unmade(runs)
-        if not _is_node(c, library) and (_derives_from_outside(c) or _is_webots_plugin(runs, c))
-    )
-
-
 def _is_node(cls: Class, library: Shared) -> bool:
-    """Whether a class derives from one of nodes; their models are not run for programs that leave no class to ask about."""
+    """Whether a class derives from one of nodes."""
     return any(node in cls.mro for node in library.node_classes)
-
-
-def _derives_from_outside(cls: Class) -> bool:
-    """Whether a class has a base that is not read, of a library that may know ROS."""
-    return any(
-        isinstance(b, External) and b.name.partition(".")[0] not in STANDARD_LIBRARY and not creates_nothing(b)
-        for b in cls.mro
-    )
-
-
-_WEBOTS: Final = {"init": 3, "step": 1}
-"""The methods of a Webots plugin, and how many parameters each has, `self` among them."""
-
-
-def _is_webots_plugin(runs: Iterable[Run], cls: Class) -> bool:
-    """Whether a class has the methods that webots_ros2_driver calls."""
-    found = {
-        code.name: len(code.parameters.positional)
-        for run in runs
-        for code in run.log.functions.values()
-        if code.file == cls.place.file and code.qualname.rpartition(".")[0] == cls.qualname
-    }
-    return all(found.get(name) == number for name, number in _WEBOTS.items())
-
-
-def _by_file(classes: Iterable[Class]) -> dict[str, list[str]]:
-    found: dict[str, list[str]] = {}
-    for cls in classes:
-        found.setdefault(cls.place.file, []).append(cls.name)
-    return found
-
-
-def _unmade(runs: Iterable[Run]) -> Iterator[Class]:
-    """The classes of modules that no process instantiates and no other class inherits from, by their places."""
-    made: set[Place] = set()
-    inherited: set[Place] = set()
-    defined: dict[Place, Class] = {}
-    for each in runs:
-        made |= each.instantiated
-        for cls in each.log.classes:
-            defined[cls.place] = cls
-            work = [*cls.bases]
-            while work:
-                base = work.pop()
-                if isinstance(base, Class) and base.place not in inherited:
-                    inherited.add(base.place)
-                    work += base.bases
-    for place, cls in sorted(defined.items()):
-        if place not in made and place not in inherited and "." not in cls.qualname:
-            yield cls

@@ -6,7 +6,6 @@ read_sources([Path("my_ws")], Distro.JAZZY, …)  ->  SourcesRead(workspace, sou
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
@@ -22,6 +21,7 @@ from rosward.guard import Steps
 from rosward.models.tables import own_models
 from rosward.records import NamedTuple
 from rosward.ros.distro import Distro
+from rosward.source import disk
 from rosward.source.discover import discover
 from rosward.source.exclude import Exclusion, exclusions_of
 from rosward.source.surroundings import surroundings
@@ -75,7 +75,7 @@ def read_sources(
     """
     variables = surroundings(distro.value, environment)
     wanted = [Path(p) for p in paths] or [Path()]
-    named = [Path(r.file) for r in request.launches if r.package is None and os.path.isfile(r.file)]  # noqa: PTH113
+    named = [Path(r.file) for r in request.launches if r.package is None and disk.is_file(r.file)]
     patterns = exclusions_of(exclude, map(str, wanted))
     bounds = budget or Budget()
     workspace = discover(

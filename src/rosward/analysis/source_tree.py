@@ -3,18 +3,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.effects.entry import Entry
 from rosward.engine.found import FoundModule
+from rosward.engine.remembered import Lowered, memory_here
 from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.definitions import Definition
 from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
@@ -49,7 +51,9 @@ class SourceTree:
         self.files = Installed(workspace, underlays)
         self.findings = Findings() if compiled is None else compiled.findings
         self._net = net
-        self._read_of_python = [0, 0]  # files, lines
+        self._memory = memory_here()
+        self.python_files: dict[str, int] = {}
+        """The Python files that were read, and how many lines each has."""
         self._resolver = ImportResolver(workspace)
         self._interfaces = InterfaceIndex(workspace)
         self._modules: dict[str, Module | None] = {}
@@ -75,12 +79,19 @@ class SourceTree:
     @property
     def files_read(self) -> int:
         """How many files were read."""
-        return self._read_of_python[0] + len(self.cpp_files)
+        return len(self.python_files) + len(self.cpp_files)
 
     @property
     def lines_read(self) -> int:
         """How many lines they have."""
-        return self._read_of_python[1] + sum(self.cpp_files.values())
+        return sum(self.python_files.values()) + sum(self.cpp_files.values())
+
+    def read_elsewhere(self, python: Mapping[str, int], cpp: Mapping[str, int], findings: Iterable[Finding]) -> None:
+        """What another process has read of these sources, and what was wrong with it."""
+        self.findings.update(findings)
+        self.python_files |= {file: lines for file, lines in python.items() if file not in self.python_files}
+        if self._compiled is not None:
+            self._compiled.lines |= {file: lines for file, lines in cpp.items() if file not in self._compiled.lines}
 
     @property
     def cpp_files(self) -> Mapping[str, int]:
@@ -94,6 +105,16 @@ class SourceTree:
             self._modules[file] = None if source is None else self._read(source.path, file)
         return self._modules[file]
 
+    def content(self, file: str) -> str:
+        """What tells the text of a module from any other; '' where there is none."""
+        source = self._files.get(file) or self.files.file(file)
+        if source is None:
+            return ""
+        made = self._generated.get(file)
+        data = read_bytes(source.path, file, limits.PYTHON_FILE if made is None else limits.PARAMETERS_FILE)
+        content = data.message if isinstance(data, Finding) else disk.digest(data)
+        return content if made is None else f"{content} {made}"
+
     def program(self, name: str) -> CppSymbols | None:
         """The names of a program in C++."""
         return None if self._compiled is None else self._compiled.program(name)
@@ -103,6 +124,24 @@ class SourceTree:
         return None if self._compiled is None else self._compiled.plugin(name)
 
     def _read(self, path: Path, file: str) -> Module | None:
+        if self._memory is None:
+            return self._lower_here(path, file)
+        own = self._memory.lowered(file, self.content(file), partial(self._lower_apart, path, file))
+        self.findings.update(own.findings)
+        if own.lines:
+            self.python_files[file] = own.lines
+        return own.module
+
+    def _lower_apart(self, path: Path, file: str) -> Lowered:
+        """The file, and what is told of it alone."""
+        findings, self.findings = self.findings, Findings()
+        try:
+            module = self._lower_here(path, file)
+            return Lowered(module, tuple(self.findings), self.python_files.get(file, 0))
+        finally:
+            self.findings = findings
+
+    def _lower_here(self, path: Path, file: str) -> Module | None:
         found = guarded(lambda: self._lower(path, file), Place(file), "the file was not analysed", net=self._net)
         if isinstance(found, Finding):
             self.findings.add(found)
@@ -118,8 +157,7 @@ class SourceTree:
             return None
         if text.finding is not None:
             self.findings.add(text.finding)
-        self._read_of_python[0] += 1
-        self._read_of_python[1] += text.text.count("\n") + (not text.text.endswith("\n"))
+        self.python_files[file] = text.text.count("\n") + (not text.text.endswith("\n"))
         try:
             return front_end_of(file, self._front_ends).lower(text.text, file)
         except FrontendError as error:

@@ -1,29 +1,32 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which nodes do the processes of all sources make, each as `ros2 run` starts it?
 
-The effects of each process become nodes (`naming/collect.py`). For launched systems, `launched.py` does the same.
+What each process adds, `outcome.py` says. For launched systems, `launched.py` does the same.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
+from typing import TYPE_CHECKING
 
-from rosward.analysis.process import Run, called_from_outside, node_classes, run
+from rosward.analysis.of_classes import called_from_outside, node_classes
+from rosward.analysis.outcome import Outcome, Outset
 from rosward.analysis.read import Progress, SourcesRead
+from rosward.analysis.runner import Runner
+from rosward.analysis.seen import note_variables
 from rosward.analysis.unreached import unreached_of
 from rosward.deployment.given import parameter_files
 from rosward.domain.values import Const
-from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.effects.variables import Variables, not_given
 from rosward.findings import Finding, Findings
 from rosward.guard import guarded
-from rosward.naming.collect import Process, collect
 from rosward.records import NamedTuple, replace
 from rosward.ros.entities import Node
-from rosward.rules import Severity
 from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.cache.store import Store
 
 __all__ = ["Gathered", "of_sources"]
 
@@ -35,85 +38,92 @@ class Gathered(NamedTuple):
     findings: list[Finding]
 
 
-def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, assumed: bool = True) -> Gathered:
+def of_sources(
+    read: SourcesRead,
+    params: Sequence[str],
+    progress: Progress,
+    *,
+    assumed: bool = True,
+    jobs: int = 1,
+    store: Store | None = None,
+) -> Gathered:
     """The nodes of every executable, of files that nothing imports, and of node classes that nothing instantiates.
 
-    `params` are parameter files for all of them; without `assumed`, node classes that nothing instantiates are left out.
+    `params` are parameter files for all of them; without `assumed`, node classes that nothing instantiates are left out. `jobs`: so many
+    processes of the sources are run at once. `store`: what is known of some of them.
     """
     findings = Findings()
     net = read.budget.net
     given = parameter_files(params, read.workspace.root, findings, net=net)
     configuration = replace(given, words=(Const("--ros-args"), *given.words)) if given.words else None
-    everything = _run_all(read, configuration, progress, assumed=assumed)
+    outset = Outset(read.library, read.budget, configuration, read.distro)
+    with Runner(read, outset, jobs, store) as runner:
+        everything = _run_all(read, runner, progress, assumed=assumed)
     findings.update((*read.sources.findings, *read.plan.findings))
-    nodes: list[Node] = []
     for each in everything:
-        if each.log.nodes or each.log.entities or not each.entry.probe or _tells(each):
-            entry = each.entry
-            process = Process(
-                entry.package,
-                entry.executable,
-                entry.label,
-                each.done,
-                assumed=entry.assumed,
-                shell=read.library.environment,
-            )
-            findings.update(each.log.findings)
-            missing = "the nodes of this program are missing"
-            made = guarded(partial(collect, each.log, process, read.distro), Place(entry.file), missing, net=net)
-            if isinstance(made, Finding):
-                findings.add(made)
-                continue
-            nodes += made[0]
-            findings.update(made[1])
-    modules = [m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None]
+        findings.update(each.findings)
+    seen = [each.seen for each in everything]
+    known = sorted(read.plan.related - runner.lost)
+    modules = [m for f in known if (m := read.sources.module(f)) is not None]
     missing = "unreachable code is not reported"
     told = guarded(
-        lambda: unreached_of(everything, modules, read.library.facts, read.sources), Place("", 0), missing, net=net
+        lambda: unreached_of(seen, modules, read.library.facts, read.sources), Place("", 0), missing, net=net
     )
     findings.update((told,) if isinstance(told, Finding) else told)
     asked = Variables()
-    for each in everything:
-        asked.add_required(each.log.variables)
+    for one in seen:
+        note_variables(one, asked)
     findings.update(not_given(asked))
-    return Gathered(nodes, list(findings))
+    return Gathered([node for each in everything for node in each.nodes], list(findings))
 
 
-def _run_all(read: SourcesRead, configuration: Configuration | None, progress: Progress, *, assumed: bool) -> list[Run]:
+def _run_all(read: SourcesRead, runner: Runner, progress: Progress, *, assumed: bool) -> list[Outcome]:
     """Every process of the plan, then the files that none imports, then the node classes, and those of frameworks, that none instantiates."""
-    library, plan, budget = read.library, read.plan, read.budget
-    runs: list[Run] = []
-    total = len(plan.entries)
-    for number, entry in enumerate(plan.entries):
-        progress("analysing", number, total)
-        if not entry.assumed or (assumed and not _is_made(read, entry, runs)):
-            runs.append(run(library, entry, budget, configuration))
-    progress("analysing", total, total)
-    entered = {code for r in runs for code in r.entered}
+    plan = read.plan
+    found = _planned(read, runner, progress, assumed=assumed)
+    entered = {code for each in found for code in each.seen.entered}
     for file in sorted(plan.related):
         module = read.sources.module(file)
         if module is not None and module.code.key not in entered:
-            runs.append(run(library, plan.for_file(file), budget, configuration))
-            entered |= runs[-1].entered
-    for file, names in node_classes(runs, library).items() if assumed else ():
-        for name in names:  # nothing says that two of them share a process
-            runs.append(run(library, plan.for_class(file, name), budget, configuration))
-    for file, names in called_from_outside(runs, library).items():
-        for name in names:
-            each = run(library, plan.for_framework(file, name, alone=len(names) == 1), budget, configuration)
-            if each.log.nodes:  # what it makes on nodes that it is given is told of its base (`unreached.py`)
-                runs.append(each)
-    return runs
+            found.append(runner.one(plan.for_file(file)))
+            entered |= found[-1].seen.entered
+    unmade = node_classes(each.seen for each in found) if assumed else {}
+    # nothing says that two of them share a process
+    made = [plan.for_class(file, name) for file, names in unmade.items() for name in names]
+    found += runner.all(made, lambda done: progress("analysing", done, len(made)))
+    offered = called_from_outside(each.seen for each in found)
+    called = [
+        plan.for_framework(file, name, alone=len(names) == 1) for file, names in offered.items() for name in names
+    ]
+    # what one makes on nodes that it is given is told of its base (`unreached.py`)
+    found += (
+        each for each in runner.all(called, lambda done: progress("analysing", done, len(called))) if each.makes_nodes
+    )
+    return found
 
 
-def _is_made(read: SourcesRead, entry: Entry, runs: Sequence[Run]) -> bool:
+def _planned(read: SourcesRead, runner: Runner, progress: Progress, *, assumed: bool) -> list[Outcome]:
+    """The processes of the plan. A component is assumed to be loaded unless a process before it makes one."""
+    entries = read.plan.entries
+    known = [entry for entry in entries if not entry.assumed]
+
+    def tell(done: int) -> None:
+        progress("analysing", done, len(entries))
+
+    by_entry = dict(zip(known, runner.all(known, tell), strict=True))
+    found = [by_entry[entry] for entry in known]
+    left = [entry for entry in entries if entry.assumed and assumed and not _is_made(read, entry, found)]
+    by_entry.update(zip(left, runner.all(left, lambda done: tell(len(known) + done)), strict=True))
+    tell(len(entries))
+    for entry in left:
+        if not _is_made(read, entry, found):
+            found.append(by_entry[entry])
+    return found
+
+
+def _is_made(read: SourcesRead, entry: Entry, found: Sequence[Outcome]) -> bool:
     """Whether an executable makes the component that an entry is about: then nobody has to be assumed who does."""
     program = read.sources.program(entry.program)
-    made = {place for each in runs for place in each.instantiated}
+    made = {place for each in found for place in each.seen.instantiated}
     *scope, name = entry.classes[0].removeprefix("::").split("::")
     return program is not None and any(symbol.place in made for symbol in program.at(tuple(scope), name))
-
-
-def _tells(probe: Run) -> bool:
-    """Whether a probe that made no node has something to tell all the same: why it may have missed one."""
-    return any(f.rule.severity is Severity.ERROR or f.code in ("RW203", "RW209") for f in probe.log.findings)

@@ -15,11 +15,8 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import final
 
-from rosward.analysis.process import Run
+from rosward.analysis.seen import ClassSeen, Seen
 from rosward.analysis.source_tree import SourceTree
-from rosward.domain.compound import External
-from rosward.domain.values import Class, Unknown, Value
-from rosward.engine.escape import name_of
 from rosward.findings import Finding, Findings
 from rosward.ir import ops
 from rosward.ir.op import walk
@@ -29,28 +26,33 @@ from rosward.source.location import Place
 
 
 def unreached_of(
-    runs: Sequence[Run], modules: Iterable[Module], facts: LibraryFacts, sources: SourceTree, *, everywhere: bool = True
+    seen: Sequence[Seen],
+    modules: Iterable[Module],
+    facts: LibraryFacts,
+    sources: SourceTree,
+    *,
+    everywhere: bool = True,
 ) -> list[Finding]:
     """What `unreached` finds, and the same of the programs that are linked."""
-    found = unreached(runs, modules, facts)
-    names = dict.fromkeys(run.entry.program for run in runs if run.entry.program)
+    found = unreached(seen, modules, facts)
+    names = dict.fromkeys(each.program for each in seen if each.program)
     if names:
         from rosward.analysis.unreached_linked import unreached_linked
 
         programs = [p for p in map(sources.program, names) if p is not None]
-        found += unreached_linked(runs, programs, facts.creating, everywhere=everywhere)
+        found += unreached_linked(seen, programs, facts.creating, everywhere=everywhere)
     return found
 
 
-def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: LibraryFacts) -> list[Finding]:
+def unreached(seen: Sequence[Seen], modules: Iterable[Module], facts: LibraryFacts) -> list[Finding]:
     """One finding for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
     entered: set[str] = set()
     reached: set[OpKey] = set()
-    for run in runs:
-        entered |= run.entered
-        reached |= run.reached
-    bases = _unknown_bases(runs)
-    unseen = _Unseen(runs)
+    for each in seen:
+        entered |= each.entered
+        reached |= each.reached
+    bases = _unknown_bases(seen)
+    unseen = _Unseen(seen)
     found = Findings()
     for module in modules:
         names = facts.creators_of(name.partition(".")[0] for name in module.imports)
@@ -80,18 +82,11 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: LibraryFact
 class _Unseen:
     """What may be called without that a call of it is seen."""
 
-    def __init__(self, runs: Sequence[Run]) -> None:
-        asked = {each for run in runs for each in run.asked}
+    def __init__(self, seen: Sequence[Seen]) -> None:
+        asked = {one for each in seen for one in each.asked}
         self._names = {name for _, _, name in asked if name}  # read from something unknown
         self._owners = {(file, owner) for file, owner, name in asked if not name}  # of which something unknown was read
-        self._made = {
-            (base.place.file, base.qualname)
-            for run in runs
-            for cls in run.log.classes
-            if cls.place in run.instantiated
-            for base in cls.mro
-            if isinstance(base, Class)
-        }
+        self._made = {(cls.place.file, cls.qualname) for each in seen for cls in _made(each)}
 
     def may_call(self, code: Code) -> bool:
         """Whether something unknown may call a function: a method of an object that there is, by name; or by a name that is not known."""
@@ -99,21 +94,26 @@ class _Unseen:
         return (code.file, owner) in self._owners or (name in self._names and (code.file, owner) in self._made)
 
 
-def _unknown_bases(runs: Iterable[Run]) -> dict[tuple[str, str], str]:
+def _made(seen: Seen) -> Iterator[ClassSeen]:
+    """The classes of which a process has objects, and those above them."""
+    at: dict[Place, list[ClassSeen]] = {}
+    for cls in seen.classes:
+        at.setdefault(cls.place, []).append(cls)
+    waiting = [place for place in at if place in seen.instantiated]
+    known = set(waiting)
+    while waiting:
+        for cls in at[waiting.pop()]:
+            yield cls
+            above = [place for place in cls.bases if place in at and place not in known]
+            known.update(above)
+            waiting += above
+
+
+def _unknown_bases(seen: Iterable[Seen]) -> dict[tuple[str, str], str]:
     """The first base that is not among the sources, by file and qualified name of the class."""
-    found: dict[tuple[str, str], str] = {}
-    for run in runs:
-        first: dict[Value, Value | None] = {}
-        for cls in run.log.classes:
-            above = cls.bases[0] if len(cls.bases) == 1 else None
-            if above in first:  # its order is that of its only base
-                base = first[above]
-            else:
-                base = next((b for b in cls.mro if b.__class__ in (External, Unknown)), None)
-            first[cls] = base
-            if base is not None:
-                found[cls.place.file, cls.qualname] = name_of(base)
-    return found
+    return {
+        (cls.place.file, cls.qualname): cls.outside for each in seen for cls in each.classes if cls.outside is not None
+    }
 
 
 def _functions(code: Code) -> Iterator[Code]:

@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from rosward.analysis.process import Run
+from rosward.analysis.seen import Seen
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.findings import Finding, Findings
 from rosward.ir.cpp import InvokeMember, MakeLambda, Name
@@ -27,20 +27,20 @@ if TYPE_CHECKING:
 
 
 def unreached_linked(
-    runs: Sequence[Run], programs: Iterable[CppSymbols], creating: frozenset[str], *, everywhere: bool
+    seen: Sequence[Seen], programs: Iterable[CppSymbols], creating: frozenset[str], *, everywhere: bool
 ) -> list[Finding]:
     """One finding for each such call in the files of programs that were run; without `everywhere`, only in files of which some code was run."""
-    entered = {key for run in runs for key in run.entered}
-    reached = {key for run in runs for key in run.reached}
+    entered = {key for each in seen for key in each.entered}
+    reached = {key for each in seen for key in each.reached}
     units = {key.rpartition("#")[0] for key in entered}
     wanted = re.compile(rb"\b(?:" + "|".join(map(re.escape, sorted(creating))).encode() + rb")\b")
     found = Findings()
-    seen: set[str] = set()
+    known: set[str] = set()
     for program in programs:
         for file in program.files:
-            if file.text in seen or file.text.startswith(MODEL_PREFIX) or not (everywhere or file.text in units):
+            if file.text in known or file.text.startswith(MODEL_PREFIX) or not (everywhere or file.text in units):
                 continue
-            seen.add(file.text)
+            known.add(file.text)
             plugins = {each.arguments[0] for each in file.parsed.prepared.registrations if each.arguments}
             for symbol in file.functions(wanted):
                 whole = next((s for s in program.at(symbol.scope, symbol.name) if s.key == symbol.key), symbol)

@@ -1,25 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command line: options, exit status, choice of outputs. No analysis.
 
-One module a command (`commands.py`); each has `add(parser)`, which declares its options, and a function that runs it.
+What a command has said before is said again (`replayed.py`) where nothing has changed; else its words are taken apart (`command_line.py`).
 """
 # PYTHON_ARGCOMPLETE_OK
 
 from __future__ import annotations
 
-import argparse
 import io
 import os
 import sys
-from collections.abc import Container, Sequence
-from importlib import import_module
 
-from rosward._version import __version__
-from rosward.cli.commands import COMMANDS
-from rosward.cli.parser import CommandParser
 from rosward.cli.status import COMPLETE, INTERNAL, INTERRUPTED
 
-__all__ = ["command_line", "main", "program"]
+TYPE_CHECKING = False  # not from typing: what says again what it said before loads little
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Final
+
+__all__ = ["main", "program"]
+
+_REPLAYED: Final = frozenset({"extract", "check"})
+"""The commands that look at nothing but the disk, and whose files are all written by `outputs/whole_files.py`."""
 
 
 def program() -> None:
@@ -38,16 +40,15 @@ def program() -> None:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns the exit status: 0 complete, 1 incomplete, 2 usage error or nothing to read, 3 a fault of rosward."""
     words = sys.argv[1:] if arguments is None else arguments
-    if "_ARGCOMPLETE" in os.environ:
-        from rosward.cli.completion import complete
-
-        complete(_declared(os.environ.get("COMP_LINE", "").split()))
-    options = command_line(words).parse_args(words)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # a terminal that cannot show a character shows its escape
             stream.reconfigure(errors="backslashreplace")
     try:
-        return _run(options)
+        if words and words[0] in _REPLAYED and "_ARGCOMPLETE" not in os.environ:
+            from rosward.cli.replayed import replayed_or
+
+            return replayed_or(words, _parsed_and_run)
+        return _parsed_and_run(words)
     except BrokenPipeError:  # the reader of our output has gone: that is no failure of ours
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return COMPLETE
@@ -62,38 +63,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return INTERNAL
 
 
-def _run(options: argparse.Namespace) -> int:
-    from rosward.cli.configuration import apply
-    from rosward.cli.shared import with_exit_status
+def _parsed_and_run(words: Sequence[str]) -> int:
+    from rosward.cli.command_line import parsed_and_run
 
-    def applied(given: argparse.Namespace) -> int:
-        apply(given)
-        status: int = given.run(given)
-        return status
-
-    return with_exit_status(applied)(options)
-
-
-def command_line(words: Container[str] = COMMANDS) -> argparse.ArgumentParser:
-    """The parser of all commands; those that are not among `words` have no options, for nobody asks for them."""
-    parser = _declared(words)
-    if any(name in words for name in COMMANDS):
-        from rosward.cli.configuration import leave_open
-
-        leave_open(parser)
-    return parser
-
-
-def _declared(words: Container[str]) -> argparse.ArgumentParser:
-    parser = CommandParser(
-        prog="rosward",
-        description="Analyse the source of a ROS 2 system without running it, and write its computation graph and SROS2 policies.",
-    )
-    parser.add_argument("--version", action="version", version=f"rosward {__version__}")
-    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for name, (module, what) in COMMANDS.items():
-        command = commands.add_parser(name, help=what)
-        if name in words:
-            import_module(f"rosward.cli.{module}").add(command)
-    parser.set_defaults(commands=tuple(COMMANDS))
-    return parser
+    return parsed_and_run(words)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,11 +20,12 @@ from rosward.cli.shared import (
 )
 from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.outputs.formats import OF_FINDINGS
+from rosward.source import disk
 
 if TYPE_CHECKING:
     from rosward.explanation.checked import Checked
-    from rosward.pipeline import Result
     from rosward.policies.records import Policy
+    from rosward.result import Result
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -51,7 +51,7 @@ def add(parser: argparse.ArgumentParser) -> None:
 def _run(options: argparse.Namespace) -> int:
     from rosward.policies.read import read_policy
 
-    files = [p for p in options.paths if p.lower().endswith(".xml") and not os.path.isdir(p)]  # noqa: PTH112
+    files = [p for p in options.paths if p.lower().endswith(".xml") and not disk.is_folder(p)]
     if not files:
         raise WrongUseError("no policy given: pass a file that ends in .xml")
     request = request_of(options)

@@ -32,7 +32,10 @@ COMMANDS: Final = {
     "nodl": Command("nodl", "write the interface of an executable as NoDL"),
     "snapshot": Command("snapshot", "record the graph of a running robot"),
     "audit": Command("audit", "compare a running robot with its sources"),
+    "survey": Command("survey", "analyse many repositories and write tables (Parquet)"),
     "serve": Command("serve", "analyse sources on a page in the browser"),
+    "watch": Command("watch", "extract, and again whenever the sources change"),
+    "lsp": Command("lsp", "serve an editor: findings and names while you type"),
     "completion": Command("completion_script", "print a shell completion script"),
 }
 """By name, in the order of `rosward --help`."""

@@ -23,11 +23,16 @@ from rosward.cli.configuration_file import ConfigurationFile, read_configuration
 from rosward.cli.configuration_keys import KEYS, Value
 from rosward.cli.shared import WrongUseError
 from rosward.records import NamedTuple
+from rosward.source import disk
 
 __all__ = ["apply", "leave_open"]
 
 _STARTING: Final = frozenset({"launch", "all_launch", "node"})
 """If the command line says what is started, the file does not add to it."""
+
+
+_AS: Final = {"watch": "extract"}
+"""Commands for which what is said of another one holds as well."""
 
 
 class _Open(NamedTuple):
@@ -66,7 +71,9 @@ def apply(options: argparse.Namespace) -> None:
     if not left_open:
         return
     read = (
-        ConfigurationFile() if options.no_config else read_configuration(_start(options), frozenset(options.commands))
+        ConfigurationFile()
+        if options.no_config or getattr(options, "worker", "") is None  # the server of editors: its workers read it
+        else read_configuration(_start(options), frozenset(options.commands))
     )
     options.configuration = read.path
     given = _given(read, options.command, left_open)
@@ -83,17 +90,18 @@ def apply(options: argparse.Namespace) -> None:
 
 def _start(options: argparse.Namespace) -> Path:
     """Where the search begins: the first PATH that is no document to compare."""
-    paths = [p for p in options.paths if Path(p).is_dir() or not p.lower().endswith((".xml", ".json"))]
+    paths = [p for p in options.paths if disk.is_folder(p) or not p.lower().endswith((".xml", ".json"))]
     return Path(next(iter(paths), "."))
 
 
 def _given(read: ConfigurationFile, command: str, left_open: Mapping[str, _Open]) -> dict[str, object]:
     """What the file says for a command: its own table over the common keys."""
-    own = read.commands.get(command, {})
+    wide = _AS.get(command, command)
+    own = {**(read.commands.get(wide, {}) if wide != command else {}), **read.commands.get(command, {})}
     foreign = [key for key in own if _dest(key) not in left_open]
     if foreign:
         raise WrongUseError(f"{read.path}: {command} has no option {foreign[0]!r}")
-    common = {k: v for k, v in read.common.items() if command in (KEYS[k].command or command)}
+    common = {k: v for k, v in read.common.items() if wide in (KEYS[k].command or wide)}
     merged = {_dest(k): v for k, v in {**common, **own}.items() if _dest(k) in left_open}
     return {dest: _taken(read, dest, value, left_open[dest].action) for dest, value in merged.items()}
 

@@ -9,7 +9,6 @@ Everything that is not understood is refused, with the key that was probably mea
 from __future__ import annotations
 
 import difflib
-import os
 from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Final
@@ -18,7 +17,7 @@ from rosward.cli.configuration_keys import KEYS, Value, WrongValueError
 from rosward.cli.shared import WrongUseError
 from rosward.findings import Finding
 from rosward.records import NamedTuple
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.text import read_bytes
 from rosward.source.toml import read_toml
 
@@ -42,7 +41,7 @@ def read_configuration(start: Path, commands: Collection[str]) -> ConfigurationF
     for above in (folder, *folder.parents):
         for name in ("rosward.toml", "pyproject.toml"):
             path = above / name
-            table = _table(path) if os.path.isfile(path) else None  # noqa: PTH113
+            table = _table(path) if disk.is_file(path) else None
             if table is not None:
                 return _configuration(table, path, commands)
     return ConfigurationFile()

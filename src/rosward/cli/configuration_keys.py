@@ -215,8 +215,12 @@ NEVER: Final[Mapping[str, str]] = {
     "write-baseline": "every run would write it",
     "write": "every run would write it",
     "json": "it is `format`",
+    "stdio": "the editor decides how it speaks",
+    "worker": "it is for the server, which starts its workers",
     "follow-links": "the file is part of the sources, and only the person running rosward decides where links may lead",
     "env-from-shell": "the file is part of the sources, and only the person running rosward decides what they learn about the shell",
+    "jobs": "it is a matter of the machine",
+    "no-cache": "the file is part of the sources, and only the person running rosward decides where results are kept",
     **dict.fromkeys(("to", "from", "check", "suggest-private", "data-only", "made-of"), "it is what one run asks"),
     **dict.fromkeys(
         ("snapshot", "node-info", "network", "seconds", "domain-id", "enclave"), "it refers to what runs at the moment"

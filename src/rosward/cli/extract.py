@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rosward.enclaves.widened import Widenings
     from rosward.influence.policy import Policy
     from rosward.outputs.report.background import Background
-    from rosward.pipeline import Result
+    from rosward.result import Result
     from rosward.suppression.judge import Reviewed
 
 FORMAT_NAMES: Final = (*BY_NAME, "none")
@@ -45,7 +45,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         "Exit status: 0 complete; 1 written but incomplete (an unknown name, an unreadable file, a limit), or as set by --fail-on; "
         "2 usage error or nothing to read; 3 written, but an internal error affected a part of it (RW299)."
     )
-    parser.set_defaults(run=refusing(_run))
+    parser.set_defaults(run=refusing(run))
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
@@ -104,7 +104,8 @@ def _formats(text: str) -> tuple[str, ...]:
     return wanted
 
 
-def _run(options: argparse.Namespace) -> int:
+def run(options: argparse.Namespace) -> int:
+    """Extract once. Raises WrongUseError."""
     from rosward.outputs.report.background import Background
     from rosward.rules import Severity
     from rosward.suppression.judge import SourceTexts

@@ -22,7 +22,7 @@ from rosward.guard import Steps
 if TYPE_CHECKING:
     from rosward.findings import Finding
     from rosward.outputs.writing import Scan
-    from rosward.pipeline import Result
+    from rosward.result import Result
     from rosward.suppression.judge import Judged, Reviewed, SourceTexts
 
 __all__ = [
@@ -103,10 +103,13 @@ def deliver(text: str, file: str | None) -> None:
 def write_file(text: str, file: str) -> str:
     """Write a text; returns the path. Raises WrongUseError."""
     from rosward.outputs.whole_files import write_text
+    from rosward.source.disk import wrote
 
     folder, name = os.path.split(file)
     try:
-        return write_text(folder or ".", name, text)
+        path = write_text(folder or ".", name, text)
+        wrote(folder or ".", name, text.encode())
+        return path
     except OSError as error:
         raise WrongUseError(f"cannot write to {file}: {error.strerror or error}") from error
 

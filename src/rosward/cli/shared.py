@@ -10,11 +10,15 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
+from rosward.cli.amounts import cores, factor, jobs
+from rosward.cli.kept import add_cache, known_or, store_of
+from rosward.cli.progress import ProgressLine
 from rosward.cli.status import INTERNAL, WRONG_USE
 from rosward.network.enclave_mode import EnclaveMode
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.rules import INTERNAL_ERROR, UNREAD_ARGUMENT
 from rosward.safe import printable
+from rosward.source import disk
 from rosward.source.exclude import PatternError, pattern_of
 from rosward.source.surroundings import SurroundingsError, parse_variable, surroundings
 
@@ -22,10 +26,11 @@ if TYPE_CHECKING:
     from rosward.deployment.request import Request
     from rosward.findings import Finding
     from rosward.network.assigned import Assignment
-    from rosward.pipeline import Budget, Progress, Result
+    from rosward.network.checks import UnknownNames
+    from rosward.pipeline import Budget
+    from rosward.result import Result
     from rosward.source.exclude import Exclusion
 
-MOST_BUDGET: Final = 1_000
 MODES: Final = tuple(mode.value for mode in EnclaveMode)
 
 _LISTING: Final = ("extract", "extract_policy")
@@ -41,6 +46,9 @@ class _Reading(TypedDict):
     follow_links: bool
     request: Request
     underlays: list[str]
+
+
+class _ReadingWithin(_Reading):
     budget: Budget
 
 
@@ -84,15 +92,7 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         help="also use the folders of AMENT_PREFIX_PATH as underlays",
     )
     add_environment(parser)
-    parser.add_argument("--tests", action="store_true", help="also read test files")
-    parser.add_argument(
-        "--exclude",
-        action="append",
-        type=_pattern,
-        default=[],
-        metavar="PATTERN",
-        help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
-    )
+    add_selection(parser)
     parser.add_argument("--follow-links", action="store_true", help="follow symbolic links that lead out of the PATHs")
     parser.add_argument(
         "--no-assumed",
@@ -101,13 +101,35 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--budget",
-        type=_factor,
+        type=factor,
         default=1.0,
         metavar="N",
         help="multiply the number of analysis steps per program by N; at the limit, the analysis stops with RW201 (default: 1)",
     )
     parser.add_argument(
+        "-j",
+        "--jobs",
+        type=jobs,
+        metavar="N",
+        default=None,
+        help="analyse with up to N processes at once; the result is the same (default: the number of cores)",
+    )
+    add_cache(parser)
+    parser.add_argument(
         "--no-config", action="store_true", help="ignore rosward.toml and pyproject.toml of the sources"
+    )
+
+
+def add_selection(parser: argparse._ActionsContainer) -> None:
+    """Which files of the sources are read."""
+    parser.add_argument("--tests", action="store_true", help="also read test files")
+    parser.add_argument(
+        "--exclude",
+        action="append",
+        type=_pattern,
+        default=[],
+        metavar="PATTERN",
+        help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
     )
 
 
@@ -145,16 +167,6 @@ def _of_shell(text: str) -> list[tuple[str, str]]:
     if missing:
         raise argparse.ArgumentTypeError(f"not set in this shell: {', '.join(missing)}")
     return [(name, os.environ[name]) for name in names]
-
-
-def _factor(text: str) -> float:
-    try:
-        factor = float(text)
-    except ValueError:
-        factor = 0.0
-    if not 0 < factor <= MOST_BUDGET:
-        raise argparse.ArgumentTypeError(f"{text!r} must be a number above 0 and at most {MOST_BUDGET}")
-    return factor
 
 
 def _pattern(text: str) -> str:
@@ -234,20 +246,35 @@ def extracted(
 
     `flow`: also what flows in each node, where what `watched` functions give is told apart.
     """
-    from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
+    read, given = tuple(paths), _reading(options, request)
+    enclaves = _wanted_enclaves(getattr(options, "enclaves", None))
+    unknown: UnknownNames = getattr(options, "unknown", "deny")
+    assumed = not options.no_assumed
+    store = store_of(options)
 
-    try:
-        with ProgressLine(shown=shown) as progress:
-            result = extract(
-                *paths,
-                **_with_flow(reading(options, request), flow, watched),
-                unknown=getattr(options, "unknown", "deny"),
-                **_wanted_enclaves(getattr(options, "enclaves", None)),
-                assumed=not options.no_assumed,
-                progress=progress,
-            )
-    except (NothingToReadError, UnknownRequestError) as error:
-        raise WrongUseError(str(error)) from error
+    def compute() -> Result:
+        from rosward.pipeline import NothingToReadError, UnknownRequestError, budget_of, extract
+
+        many = options.jobs or cores()
+        budget = budget_of(options.budget)._replace(flow=flow, watched=watched)
+        try:
+            with ProgressLine(shown=shown) as progress:
+                return extract(
+                    *read,
+                    **given,
+                    budget=budget,
+                    unknown=unknown,
+                    **enclaves,
+                    assumed=assumed,
+                    jobs=many,
+                    store=store,
+                    progress=progress,
+                )
+        except (NothingToReadError, UnknownRequestError) as error:
+            raise WrongUseError(str(error)) from error
+
+    asked = {**given, **enclaves, "paths": read, "unknown": unknown, "assumed": assumed}
+    result = known_or(compute, store, {**asked, "budget": options.budget, "flow": flow, "watched": watched})
     note_failures(options, result.findings)
     if options.command not in _LISTING:
         for finding in result.findings:
@@ -256,28 +283,26 @@ def extracted(
     return result
 
 
-def _with_flow(given: _Reading, flow: bool, watched: frozenset[str]) -> _Reading:
-    given["budget"] = given["budget"]._replace(flow=flow, watched=watched)
-    return given
-
-
 def note_failures(options: argparse.Namespace, findings: Iterable[Finding]) -> None:
     """Keep in mind which findings say that rosward itself failed: they decide the exit status, whatever is made of them."""
     failures: list[str] = getattr(options, "failures", [])
     failures += (f"{f.place}: {f.message}" if f.place.file else f.message for f in findings if f.code == INTERNAL_ERROR)
 
 
-def reading(options: argparse.Namespace, request: Request) -> _Reading:
+def reading(options: argparse.Namespace, request: Request) -> _ReadingWithin:
     """What the options ask to read, as `extract` and `launched` are told."""
     from rosward.pipeline import budget_of
 
+    return {**_reading(options, request), "budget": budget_of(options.budget)}
+
+
+def _reading(options: argparse.Namespace, request: Request) -> _Reading:
     try:
         surroundings(options.distro, dict(options.env))
     except SurroundingsError as error:
         raise WrongUseError(f"--env: {error}") from error
     return {
         "env": dict(options.env),
-        "budget": budget_of(options.budget),
         "distro": options.distro,
         "models": options.models,
         "tests": options.tests,
@@ -302,7 +327,7 @@ def _wanted_enclaves(wanted: str | None) -> _WantedEnclaves:
 def _underlays_of(options: argparse.Namespace) -> list[str]:
     """The underlays, nearest first: those that are named, then the sourced ones where that is asked for."""
     sourced = os.environ.get("AMENT_PREFIX_PATH", "") if options.ament_prefix_path else ""
-    return [*options.underlay, *(folder for folder in sourced.split(os.pathsep) if os.path.isdir(folder))]  # noqa: PTH112
+    return [*options.underlay, *(folder for folder in sourced.split(os.pathsep) if disk.is_folder(folder))]
 
 
 def request_of(options: argparse.Namespace) -> Request:
@@ -360,34 +385,14 @@ def with_exit_status(run: Callable[[argparse.Namespace], int]) -> Callable[[argp
 
 def check_paths(options: argparse.Namespace) -> None:
     """Raise WrongUseError where a path of the options is not there."""
-    missing = [p for p in options.paths if not os.path.lexists(p)]
+    missing = [p for p in options.paths if not disk.is_there(p)]
     if missing:
         hint = next((f"; use --arg {p} to set a launch argument" for p in missing if ":=" in p), "")
         raise WrongUseError(f"no such file or folder: {', '.join(missing)}{hint}")
     for option in ("models", "underlay"):
-        absent = [m for m in getattr(options, option) if not os.path.isdir(m)]  # noqa: PTH112
+        absent = [m for m in getattr(options, option) if not disk.is_folder(m)]
         if absent:
             raise WrongUseError(f"--{option}: no such folder: {', '.join(absent)}")
     for file in getattr(options, "params", ()):
-        if not os.path.isfile(file):  # noqa: PTH113
+        if not disk.is_file(file):
             raise WrongUseError(f"--params: no such file: {file}")
-
-
-class ProgressLine:
-    """A progress line on a terminal, for work that takes longer than a moment."""
-
-    def __init__(self, *, shown: bool) -> None:
-        self._shown = shown and sys.stderr.isatty()
-        self._drawn = False
-
-    def __enter__(self) -> Progress:
-        return self._tell
-
-    def __exit__(self, *_: object) -> None:
-        if self._drawn:
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
-
-    def _tell(self, what: str, done: int, count: int) -> None:
-        if self._shown and count > 20 and (done % 10 == 0 or done == count):
-            self._drawn = True
-            print(f"\r\x1b[K{what} {done}/{count}", end="", file=sys.stderr, flush=True)  # noqa: T201

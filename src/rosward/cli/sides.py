@@ -166,6 +166,7 @@ def _snapshot(options: argparse.Namespace, side: _Side, paths: list[str], steps:
     from rosward.diff.of_nodes import snapshot_of
 
     own = _moved(options, side)
+    own.no_cache |= bool(options.git)  # its folder is another one each time
     result = extracted(own, paths, request_of(own))
     missing = "nothing was compared"
     return steps(lambda: snapshot_of(result.network.nodes, side.name), None, missing)

@@ -12,7 +12,7 @@ from typing import Final
 from rosward.deployment.request import NodeRequest, Request
 from rosward.findings import Finding
 from rosward.network.asked import Asked, LaunchAsked, OptionValue
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.exclude import Exclusion
 from rosward.source.kept import kept
 from rosward.source.text import place_name, read_bytes, readable_path
@@ -50,7 +50,7 @@ def asked_of(
         paths=tuple(sorted(_place(path, root) for path in paths)) or (_place(".", root),),
         launch=tuple(
             LaunchAsked(
-                str(each) if each.package else _place(each.file, root, there=os.path.exists(each.file)),  # noqa: PTH110
+                str(each) if each.package else _place(each.file, root, there=disk.exists(each.file)),
                 tuple(sorted(each.arguments)),
             )
             for each in request.launches
@@ -110,7 +110,7 @@ def _digest(folders: Iterable[Path]) -> str:
 def _files(folder: Path) -> list[str]:
     """The descriptions in a folder, of which rosward reads these alone; of a folder that is no such, not the whole tree."""
     found: list[str] = []
-    for above, inner, names in os.walk(folder):
+    for above, inner, names in disk.walk(folder):
         inner.sort()
         inside = os.path.relpath(above, folder)
         found += (os.path.normpath(os.path.join(inside, n)) for n in sorted(names) if n.endswith(_SUFFIXES))  # noqa: PTH118

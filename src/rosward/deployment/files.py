@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.domain.text import parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Choice, Hole, Unknown, Value
+from rosward.engine.remembered import memory_here
 from rosward.models.file_paths import Location, location_of, path_of
 
 if TYPE_CHECKING:
@@ -45,6 +46,9 @@ class WorkspaceFiles:
 
     def text(self, file: str) -> str | None:
         """The text of a file that was found; None where it is too large or no text."""
+        memory = memory_here()
+        if memory is not None:
+            memory.touched.add(file)
         found = self._installed.file(file)
         return None if found is None else self._installed.text(found)
 

@@ -33,10 +33,19 @@ class Sink(NamedTuple):
     place: Place
 
 
+class Call(NamedTuple):
+    """A sink as some callers use it, who are named from the outermost on: what is in it then, what decides it, what it waits for."""
+
+    through: tuple[Place, ...]
+    data: frozenset[Source]
+    control: frozenset[Source]
+    trigger: frozenset[Source]
+
+
 class Flow(NamedTuple):
     """One sink of a process: what is in it, what decides it, what it waits for; and through which lines each comes there.
 
-    `assumed`: those of `data` that stand there only because not all is known.
+    `assumed`: those of `data` that stand there only because not all is known. `calls`: the same by callers; empty where these are not told apart.
     """
 
     sink: Sink
@@ -45,6 +54,7 @@ class Flow(NamedTuple):
     trigger: frozenset[Source]
     paths: Mapping[Source, tuple[Place, ...]] = MappingProxyType({})
     assumed: frozenset[Source] = frozenset()
+    calls: tuple[Call, ...] = ()
 
 
 class Callback(NamedTuple):

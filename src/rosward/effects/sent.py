@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a process sends: messages, requests, responses, goals, feedback and results, each with the value and the call that sends it."""
+"""What a process sends: messages, requests, responses, goals and their cancelling, feedback, results, each with the value and the call."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rosward.domain.values import Value
 from rosward.records import NamedTuple
 from rosward.source.location import Place
 
-Sending = Literal["publication", "request", "response", "goal", "feedback", "result"]
+Sending = Literal["publication", "request", "response", "goal", "cancel", "feedback", "result"]
 
 
 class SentEffect(NamedTuple):

@@ -85,12 +85,6 @@ class Variables:
         """The values for which something is another than for the rest."""
         return tuple(dict.fromkeys((*self.values.get(name, ()), *self.files.get(name, ()))))
 
-    def add_required(self, other: Variables) -> None:
-        """The same of a program, but for what has a default: that it is compared is in the nature of options."""
-        for name in other.required:
-            for place in other.places[name]:
-                self.compared(name, other.values[name], place)
-
     def add(self, other: Variables) -> None:
         """What another run has asked."""
         for name, values in other.files.items():

@@ -37,6 +37,9 @@ class Sources(Protocol):
     def module(self, file: str) -> Module | None:
         """The lowered file; None where it cannot be read (a finding has said so)."""
 
+    def content(self, file: str) -> str:
+        """What tells the text of a module from any other; '' where there is none."""
+
     def program(self, name: str) -> Symbols | None:
         """The names of a program of a language with a linker (`Entry.program`); None where it cannot be read (a finding has said so)."""
 

@@ -18,6 +18,7 @@ from rosward.engine.machine import Language
 from rosward.engine.model_library import PROCESS_ADDRESSES, Constants, ModelLibrary, file_value
 from rosward.engine.model_units import absolute
 from rosward.engine.reads import Reading, RecordedSources
+from rosward.engine.remembered import Memory, memory_here
 from rosward.engine.spare import borrowed, given_back
 from rosward.findings import Findings
 from rosward.ir import ops
@@ -46,6 +47,7 @@ class Library:
         self.sources: Sources = RecordedSources(sources, self._note)
         self._sources = sources  # for what is asked once for all processes
         self._reading: Reading | None = None
+        self._memory = memory_here() if not folders else None  # what the user's own models say, no question asks
         self.languages = Languages(languages)
         # of every process, unless it is given another
         self.environment = usual_shell() if environment is None else environment
@@ -69,6 +71,16 @@ class Library:
         self._function_addresses: dict[Function, int] = {}  # odd ones, but for functions of models that have their own
 
     @property
+    def memory(self) -> Memory | None:
+        """What is known of earlier processes; None where nothing is remembered."""
+        return self._memory
+
+    @property
+    def plain_sources(self) -> Sources:
+        """The sources, where nobody notes what is asked."""
+        return self._sources
+
+    @property
     def findings(self) -> Findings:
         """What is wrong with the stub files that were asked for."""
         return self._models.findings
@@ -87,6 +99,8 @@ class Library:
     def _note(self, *question: str | int) -> None:
         if self._reading is not None:
             self._reading.questions.add(question)
+        if self._memory is not None:
+            self._memory.touch(question)
 
     # Values
 

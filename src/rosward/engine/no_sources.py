@@ -29,6 +29,10 @@ class NoSources:
         """No file."""
         return None
 
+    def content(self, _file: str) -> str:
+        """There is none."""
+        return ""
+
     def program(self, _name: str) -> Symbols | None:
         """No program."""
         return None

@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.engine.budget import Budget, LimitReachedError
+from rosward.rules import TIME_LIMIT
 
 if TYPE_CHECKING:
     from rosward.effects.log import Execution
@@ -82,7 +83,7 @@ class Precision:
             return
         self._looked = self.steps
         if time.thread_time() > self.deadline:
-            raise LimitReachedError(f"more than {self.budget.seconds:g} s of analysis", where.place)
+            raise LimitReachedError(f"more than {self.budget.seconds:g} {TIME_LIMIT}", where.place)
 
     # Loops
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from rosward.models.file_paths import Files
     from rosward.source.definitions import Definition
 
-__all__ = ["Reading", "Reads", "RecordedSources"]
+__all__ = ["Question", "Reading", "Reads", "RecordedSources"]
 
 Question = tuple[str | int, ...]
 """The name of a method of `Library`, `Sources` or `Files`, and what it was given."""
@@ -81,6 +81,11 @@ class RecordedSources:
         """See `Sources`."""
         self._note("module", file)
         return self._sources.module(file)
+
+    def content(self, file: str) -> str:
+        """See `Sources`."""
+        self._note("content", file)
+        return self._sources.content(file)
 
     def program(self, name: str) -> Symbols | None:
         """See `Sources`. What its files become for it is noted with it."""

@@ -9,8 +9,9 @@ nobody asks, nothing is noted.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Final, final
+from collections.abc import Callable, Iterable, Iterator
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.compound import External, Partial, Tuple
@@ -123,9 +124,13 @@ class Bound(NamedTuple):
     given: tuple[Given, ...]
 
 
+_NO_DICT: Final[Any] = MappingProxyType({})
+_NO_SET: Final[Any] = frozenset()
+
+
 @final
 class Seen:
-    """What was seen of one operation in one activation.
+    """What was seen of one operation in one activation. There are very many, which hold little: what is empty is shared.
 
     `refs`: the objects that its results are,
     `parts`: those of each of several; `reasons` and `origins`: those of its results; `several`: it gave more than one value.
@@ -153,6 +158,7 @@ class Seen:
         "opaque",
         "origins",
         "parts",
+        "reads",
         "reasons",
         "refs",
         "scheduled",
@@ -167,27 +173,50 @@ class Seen:
         self.alive = False
         self.last: tuple[Value, ...] = ()
         self.gave: Value | None = None  # the last one, of an operation that gives one
-        self.refs: set[Place] = set()
+        self.reads: tuple[int, ...] | None = None  # its operands, where somebody has asked for them
         self.several = False
         self.swallows = False
         self.opaque = False
-        self.parts: dict[int, set[Place]] = {}
-        self.reasons: dict[Reason, None] = {}
-        self.origins: dict[Origin, None] = {}
-        self.externals: dict[str, None] = {}
-        self.keys: dict[int, Value | None] = {}
-        self.functions: dict[Value, None] = {}
-        self.calls: dict[object, Called] = {}
-        self.callees: dict[Activation, None] = {}
-        self.summaries: dict[tuple[str, int], None] = {}
-        self.cells: set[int] = set()
-        self.effects: dict[tuple[int, EntityEffect | SentEffect], None] = {}
-        self.scheduled: dict[tuple[int, Scheduled], None] = {}
-        self.bound: dict[object, Bound] = {}
-        self.made: dict[int, object] = {}
-        self.wrote: set[int] = set()
-        self.natives: dict[str, None] = {}
-        self.strange: dict[str, None] = {}
+        self.refs: set[Place] = _NO_SET
+        self.cells: set[int] = _NO_SET
+        self.wrote: set[int] = _NO_SET
+        self.parts: dict[int, set[Place]] = _NO_DICT
+        self.reasons: dict[Reason, None] = _NO_DICT
+        self.origins: dict[Origin, None] = _NO_DICT
+        self.externals: dict[str, None] = _NO_DICT
+        self.keys: dict[int, Value | None] = _NO_DICT
+        self.functions: dict[Value, None] = _NO_DICT
+        self.calls: dict[object, Called] = _NO_DICT
+        self.callees: dict[Activation, None] = _NO_DICT
+        self.summaries: dict[tuple[str, int], None] = _NO_DICT
+        self.effects: dict[tuple[int, EntityEffect | SentEffect], None] = _NO_DICT
+        self.scheduled: dict[tuple[int, Scheduled], None] = _NO_DICT
+        self.bound: dict[object, Bound] = _NO_DICT
+        self.made: dict[int, object] = _NO_DICT
+        self.natives: dict[str, None] = _NO_DICT
+        self.strange: dict[str, None] = _NO_DICT
+
+    def note(self, name: str, key: object, value: object = None) -> None:
+        """Something is in one of the dicts from now on."""
+        known = getattr(self, name)
+        if known is _NO_DICT:
+            setattr(self, name, {key: value})
+        else:
+            known[key] = value
+
+    def hold(self, name: str, found: Iterable[object]) -> None:
+        """These are in one of the sets from now on."""
+        known = getattr(self, name)
+        if known is not _NO_SET:
+            known.update(found)
+        elif several := set(found):
+            setattr(self, name, several)
+
+    def _part(self, number: int, found: Iterable[Place]) -> None:
+        """The objects that one of several results is."""
+        if self.parts is _NO_DICT:
+            self.parts = {}
+        self.parts.setdefault(number, set()).update(found)
 
     def absorb(self, other: Seen) -> None:
         """What was seen of the same operation in another activation counts too."""
@@ -195,22 +224,21 @@ class Seen:
         self.several = self.several or other.several
         self.swallows = self.swallows or other.swallows
         self.opaque = self.opaque or other.opaque
-        self.refs |= other.refs
-        self.cells |= other.cells
-        self.wrote |= other.wrote
+        for name in _SETS:
+            self.hold(name, getattr(other, name))
         for number, refs in other.parts.items():
-            self.parts.setdefault(number, set()).update(refs)
+            self._part(number, refs)
         for register, value in other.keys.items():
-            self.keys[register] = value if self.keys.get(register, value) == value else None
+            self.note("keys", register, value if self.keys.get(register, value) == value else None)
         for name in _GATHERED:
-            getattr(self, name).update(getattr(other, name))
-        self.summaries.update(other.summaries)
+            for key, each in getattr(other, name).items():
+                self.note(name, key, each)
 
     def key(self, register: int, value: Value) -> None:
         """The operation finds a value in a register that may name a slot: what it is, where it is always the same constant."""
         found = value if value.__class__ is Const and all(o.settled for o in value.origins) else None
         if register not in self.keys:
-            self.keys[register] = found
+            self.note("keys", register, found)
         elif self.keys[register] != found:
             self.keys[register] = None
 
@@ -227,29 +255,33 @@ class Seen:
         self.last = values
         if len(values) > 1:
             for number, value in enumerate(values):
-                self.parts.setdefault(number, set()).update(places(value))
+                self._part(number, places(value))
         for value in values:
             if value.__class__ is Const:
-                if value.origins:
-                    self.origins.update(dict.fromkeys(value.origins))
+                for origin in value.origins:
+                    self.note("origins", origin)
                 continue
             for option in options(value):
                 if option.__class__ is Const or option.__class__ is Text:
-                    self.origins.update(dict.fromkeys(option.origins))
+                    for origin in option.origins:
+                        self.note("origins", origin)
                 elif option.__class__ is Unknown:
                     self.opaque = self.opaque or option.hint not in _UNCHANGING
-                    self.reasons.update(dict.fromkeys(option.reasons))
+                    for reason in option.reasons:
+                        self.note("reasons", reason)
                 elif option.__class__ is External:
-                    self.externals[option.name] = None
+                    self.note("externals", option.name)
             if value.__class__ is Text:
-                self.reasons.update(dict.fromkeys(reasons_of(value)))
-            self.refs.update(places(value))
+                for reason in reasons_of(value):
+                    self.note("reasons", reason)
+            self.hold("refs", places(value))
 
 
 _UNCHANGING: Final = frozenset(("str", "int", "float", "bool", "bytes", "complex", "NoneType"))
 """Types whose objects never change."""
+_SETS: Final = ("refs", "cells", "wrote")
 _GATHERED: Final = (
-    *("reasons", "origins", "effects", "externals", "scheduled", "functions", "calls", "callees"),
+    *("reasons", "origins", "effects", "externals", "scheduled", "functions", "calls", "callees", "summaries"),
     *("bound", "made", "natives", "strange"),
 )
 

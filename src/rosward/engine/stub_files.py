@@ -17,7 +17,7 @@ from rosward.frontends.front_end import FrontendError
 from rosward.frontends.registry import front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes
 
@@ -58,7 +58,7 @@ class StubFiles:
         """Whether there is any stub of a top-level package or module."""
         if package not in self._packages:
             self._packages[package] = len(package) <= _LONGEST_NAME and any(
-                (folder / package).is_dir() or (folder / f"{package}.pyi").is_file() for folder in self._folders
+                disk.is_folder(folder / package) or disk.is_file(folder / f"{package}.pyi") for folder in self._folders
             )
         return self._packages[package]
 
@@ -70,10 +70,7 @@ class StubFiles:
         inner = name.replace(".", "/")
         for folder in self._folders:
             for candidate in (f"{inner}.pyi", f"{inner}/__init__.pyi"):
-                try:
-                    there = (folder / candidate).is_file()
-                except OSError:  # a name too long for a file
-                    return None
+                there = disk.is_file(folder / candidate)
                 file = MODEL_PREFIX + candidate
                 if there and (own := _OWN.get(file) if folder == STUBS else None) is not None:
                     self._modules[file] = own

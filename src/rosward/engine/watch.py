@@ -63,7 +63,8 @@ class Watch:
         for several in self.activations.values():
             for activation in several:
                 for seen in activation.seen.values():
-                    seen.callees.clear()
+                    if seen.callees:
+                        seen.callees.clear()
                 activation.seen.clear()
         self.__dict__.clear()
 
@@ -100,7 +101,7 @@ class Watch:
 
     def schedule(self, machine: Engine, entry: Scheduled) -> None:
         """A callback is registered here."""
-        self.at(machine).scheduled[_turn(machine), entry] = None
+        self.at(machine).note("scheduled", (_turn(machine), entry))
         among = machine.frames[-1].seen if machine.frames and self._running else None
         period = period_of(machine) if entry.event == "timer" else None
         registered = Registered(tuple(_receivers(machine)), self.at(machine), _turn(machine), among, period)
@@ -108,11 +109,11 @@ class Watch:
 
     def effect(self, machine: Engine, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""
-        self.at(machine).effects[_turn(machine), effect] = None
+        self.at(machine).note("effects", (_turn(machine), effect))
 
     def summary(self, machine: Engine, code: Code, context: int) -> None:
         """The result of a call is taken from the summary of the function, which runs in a context of its own."""
-        self.at(machine).summaries[code.key, context] = None
+        self.at(machine).note("summaries", (code.key, context))
 
     def remember(self, key: object, code: Code, context: int) -> None:
         """The result of a call is remembered."""
@@ -120,7 +121,7 @@ class Watch:
 
     def again(self, machine: Engine, key: object) -> None:
         """What is remembered of a call is its result once more."""
-        self.at(machine).summaries[self._remembered[key]] = None
+        self.at(machine).note("summaries", self._remembered[key])
 
     def of(self, code: Code, context: int, cells: tuple[int, ...], module: int) -> Activation:
         """The activation of a body in a context, with these variables."""
@@ -138,7 +139,7 @@ class Watch:
         if found is None:
             found = frame.seen = self.of(frame.code, frame.context, frame.cells, frame.module.address)
             if depth:
-                self._of(machine, depth - 1).callees[found] = None
+                self._of(machine, depth - 1).note("callees", found)
             elif frame.code.ops:
                 self.begun[found] = None
             if frame.code.language == CPP:
@@ -167,7 +168,7 @@ class Watch:
         given = tuple(map(handed, args))
         named = tuple((name, handed(value)) for name, value in keywords.items())
         key = (function.code.key, function.cells, given, named)
-        self.at(machine).calls[key] = Called(function, given, named)
+        self.at(machine).note("calls", key, Called(function, given, named))
 
     def swallows(self, machine: Engine) -> None:
         """The `with` that is running may swallow an exception."""
@@ -178,22 +179,24 @@ class Watch:
     def wrote(self, address: int) -> None:
         """The object at an address is written to."""
         if self._running:
-            self._running[-1][1].wrote.add(address)
+            self._running[-1][1].hold("wrote", (address,))
 
     def made(self, address: int, site: object) -> None:
         """An object is made, of what the site says."""
         if self._running:
-            self._running[-1][1].made.setdefault(address, site)
+            seen = self._running[-1][1]
+            if address not in seen.made:
+                seen.note("made", address, site)
 
     def native(self, name: str) -> None:
         """A model in code runs."""
         if self._running:
-            self._running[-1][1].natives[name] = None
+            self._running[-1][1].note("natives", name)
 
     def strange(self, name: str) -> None:
         """Code that nobody knows gets hold of something."""
         if self._running:
-            self._running[-1][1].strange[name] = None
+            self._running[-1][1].note("strange", name)
 
     def bound(self, machine: Engine, function: Function, args: tuple[Value, ...], registers: list[Value]) -> None:
         """A function in C++ is called with these arguments, which stand in its registers so."""
@@ -217,7 +220,7 @@ class Watch:
             where = frozenset(r for r, v in operands for a in mine if v is a)
             given.append(Given(where, frozenset(places_of(value)), _kind(value)))
         key = (function.code.key, function.cells, tuple(given))
-        self.at(machine).bound[key] = Bound(function, tuple(given))
+        self.at(machine).note("bound", key, Bound(function, tuple(given)))
 
     def _noting_cpp(self, cls: type[ops.Op], handler: Handler) -> Handler:
         """The handler of a kind of operation, noting what it gives; what it does itself is its own, not that of its blocks."""
@@ -226,9 +229,11 @@ class Watch:
         def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
             seen = activation.seen.get(op.number) or activation.of(op.number)
-            operands = tuple(reads(op)) if cls is not cpp.Initialise else _of_members(op)
+            operands = seen.reads
+            if operands is None:
+                operands = seen.reads = tuple(reads(op)) if cls is not cpp.Initialise else _of_members(op)
             if celled:
-                seen.cells.add(frame.cells[op.cell])
+                seen.hold("cells", (frame.cells[op.cell],))
             if cls in _KEYED_CPP:
                 for register in operands:
                     seen.key(register, _standing(machine, frame.registers[register]))
@@ -273,7 +278,10 @@ class Watch:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
             seen = activation.seen.get(op.number) or activation.of(op.number)
             if keyed:
-                for register in reads(op):
+                operands = seen.reads
+                if operands is None:
+                    operands = seen.reads = tuple(reads(op))
+                for register in operands:
                     seen.key(register, frame.registers[register])
             result = handler(machine, op, frame)
             if result is not False:
@@ -298,7 +306,7 @@ class Watch:
             for argument in op.arguments[:2]:
                 seen.key(argument.register, frame.registers[argument.register])
             if function not in seen.functions:
-                seen.functions[function] = None
+                seen.note("functions", function)
                 seen.several = seen.several or len([o for o in options(function) if o != NONE]) > 1
             result = handler(machine, op, frame)
             if result is not False:
@@ -311,7 +319,7 @@ class Watch:
         def cell(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
             seen = activation.of(op.number)
-            seen.cells.add(frame.cells[op.cell])
+            seen.hold("cells", (frame.cells[op.cell],))
             result = handler(machine, op, frame)
             seen.give((frame.registers[op.dst],) if cls is ops.LoadCell else ())
             return result

@@ -17,7 +17,7 @@ from typing import Final, final
 from rosward.findings import Finding
 from rosward.records import NamedTuple
 from rosward.safe import printable
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes
 
@@ -67,8 +67,8 @@ class Excerpts:
 
     def _read(self, file: str) -> tuple[str, ...]:
         try:
-            path = (self._root / file).resolve()
-        except (OSError, RuntimeError, ValueError):  # a loop of links, a NUL in the name
+            path = Path(disk.real_path(self._root / file))
+        except (OSError, ValueError):  # a NUL in the name
             return ()
         if not path.is_relative_to(self._root):
             return ()

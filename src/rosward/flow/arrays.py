@@ -28,14 +28,52 @@ _VIEWS: Final = frozenset(
 )
 _CHANGE: Final = frozenset(("fill", "sort", "put", "partition", "resize", "itemset", "setfield", "byteswap", "seed"))
 """Methods that write to their object."""
-_INTO_THIRD: Final = frozenset(
-    (
-        *("add", "subtract", "multiply", "divide", "true_divide", "floor_divide", "power", "mod", "remainder", "dot"),
-        *("maximum", "minimum", "fmax", "fmin", "hypot", "arctan2", "logical_and", "logical_or", "logical_xor"),
-        *("bitwise_and", "bitwise_or", "bitwise_xor", "greater", "less", "equal", "matmul"),
-    )
-)
-"""Functions of two numbers each, which write into a third argument."""
+_INTO: Final[dict[str, int]] = {
+    **dict.fromkeys(
+        (
+            *(
+                "abs",
+                "absolute",
+                "arccos",
+                "arcsin",
+                "arctan",
+                "ceil",
+                "cos",
+                "deg2rad",
+                "degrees",
+                "exp",
+                "fabs",
+                "floor",
+            ),
+            *("isfinite", "isinf", "isnan", "log", "log10", "log2", "logical_not", "negative", "positive", "rad2deg"),
+            *("radians", "reciprocal", "rint", "sign", "sin", "sqrt", "square", "tan", "tanh", "trunc", "invert"),
+        ),
+        1,
+    ),
+    **dict.fromkeys(
+        (
+            *(
+                "add",
+                "subtract",
+                "multiply",
+                "divide",
+                "true_divide",
+                "floor_divide",
+                "power",
+                "mod",
+                "remainder",
+                "dot",
+            ),
+            *("maximum", "minimum", "fmax", "fmin", "hypot", "arctan2", "logical_and", "logical_or", "logical_xor"),
+            *("bitwise_and", "bitwise_or", "bitwise_xor", "greater", "less", "equal", "matmul", "fmod", "copysign"),
+            *("not_equal", "greater_equal", "less_equal", "left_shift", "right_shift", "outer", "all", "any", "amax"),
+            *("amin", "max", "min", "argmax", "argmin", "round", "around", "choose", "concatenate", "stack"),
+        ),
+        2,
+    ),
+    **dict.fromkeys(("clip", "cumsum", "cumprod", "sum", "prod", "mean", "std", "var", "take", "compress"), 3),
+}
+"""Functions that write into what they are given in this place, counted from 0."""
 
 
 def viewed(names: Iterable[str], given: Iterable[Mark]) -> frozenset[Root]:
@@ -52,8 +90,8 @@ def change(memory: Memory, op: ops.Call, names: Iterable[str], marks: list[Mark]
         method = name.rpartition(".")[2]
         if method in _CHANGE and not name.startswith(_MODULES):
             changed.append(owner)
-        elif method in _INTO_THIRD and name.startswith("numpy.") and len(marks) > 2:
-            changed.append(marks[2])
+        elif name.startswith("numpy.") and len(marks) > (place := _INTO.get(method, len(marks))):
+            changed.append(marks[place])
     for each in changed:
         memory.write_any(each.roots, Mark(mask), mask)
 

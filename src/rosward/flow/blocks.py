@@ -177,13 +177,15 @@ def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any, item: int
             break
     else:
         raise TooLongError
-    body.pc = outside | body.left
     broken = body.broken
+    if broken is None:
+        body.pc = outside | body.left
     body.broken, body.continued = outer
     alive = False
     if ended is not None:
         walker.go(body, ended)
-        alive = not _is_forever(op) and walker.run(op.orelse, body)
+        alive = not _is_forever(op) and walker.run(op.orelse, body)  # where there is a `break`, it decides
+    body.pc = outside | body.left
     if broken is not None:
         if alive:
             broken.join(walker.point(body))

@@ -9,7 +9,9 @@ from rosward.engine.seen import Activation
 from rosward.flow.content import Content, both
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.memory import Memory
+from rosward.flow.sinks import Chain
 from rosward.ir.op import Op
+from rosward.source.location import Place
 
 
 @final
@@ -123,3 +125,9 @@ class Body:
     def enter_loop(self) -> None:
         """A loop begins: nothing has left it, or gone on with its next turn."""
         self.broken = self.continued = None
+
+
+def here(body: Body) -> Chain:
+    """Where a body is; nothing where it is code of a model, or has not begun."""
+    code = body.activation.code
+    return () if body.at is code.entry or code.file.startswith("models:") else (Place(code.file, body.at.line),)

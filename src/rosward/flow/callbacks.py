@@ -7,6 +7,7 @@ lambda msg, t=name: self.send(t)     `name` is the default of `t`
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -22,8 +23,19 @@ if TYPE_CHECKING:
     from rosward.flow.walker import Walker
 
 
-def begin(walker: Walker, activation: Activation, arguments: list[Mark], callback: Mark, given: int, pc: int) -> Mark:
-    """A callback is called as it was registered, with these arguments behind what it has; what else it may be given depends on `given`."""
+def begin(
+    walker: Walker,
+    activation: Activation,
+    arguments: list[Mark],
+    callback: Mark,
+    given: int,
+    pc: int,
+    handed: Sequence[Mark] = (),
+) -> Mark:
+    """A callback is called as it was registered, with these arguments behind what it has; what else it may be given depends on `given`.
+
+    `handed`: what a library calls it with, of which the interpretation knows nothing.
+    """
     body = Body(activation, [], pc)
     seen = activation.of(0)
     walker.bodies.append(body)
@@ -34,7 +46,9 @@ def begin(walker: Walker, activation: Activation, arguments: list[Mark], callbac
         for key, several in by_code(seen).items():
             function = several[0].function
             code = function.code
-            marks = joined_marks([_of_callback(walker, body, called, arguments, callback, given) for called in several])
+            marks = joined_marks(
+                [_of_callback(walker, body, called, arguments, callback, given, handed) for called in several]
+            )
             if code.is_generator or code.is_coroutine:
                 keep_arguments(walker, key, marks)
                 continue
@@ -52,15 +66,21 @@ def begin(walker: Walker, activation: Activation, arguments: list[Mark], callbac
 
 
 def _of_callback(
-    walker: Walker, body: Body, called: Called, arguments: list[Mark], callback: Mark, given: int
+    walker: Walker,
+    body: Body,
+    called: Called,
+    arguments: list[Mark],
+    callback: Mark,
+    given: int,
+    handed: Sequence[Mark],
 ) -> list[Mark]:
     """What stands in the parameters of a callback: its receiver, what a partial function gives, what it is called with."""
     partials = Given(walker, bound_in(callback))
     first = len(called.args) - len(arguments)
     receivers = int(bool(called.args) and bool(called.args[0].refs) and first > 0 and partials.positional < first)
     marks = []
-    for number, handed in enumerate(called.args):
-        own = Mark(body.pc, frozenset(handed.refs))
+    for number, passed in enumerate(called.args):
+        own = Mark(body.pc, frozenset(passed.refs))
         if first < 0:
             own = own.under(given)
         elif number >= first:
@@ -68,6 +88,7 @@ def _of_callback(
         elif number >= receivers:
             own = own.joined(partials.at(number - receivers, first - receivers))
         marks.append(own)
+    marks += [argument.under(given | body.pc) for argument in handed]
     named = {name: Mark(body.pc, frozenset(h.refs)).joined(partials.named(name)) for name, h in called.keywords}
     made = Mark(body.pc | given | callback.mask)
     return in_parameters(walker, body, 0, called.function, marks, named, made)

@@ -17,6 +17,7 @@ from rosward.domain.values import Class, Const, Function, Value
 from rosward.effects.flows import Sink
 from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
+from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import Activation, Called, Handed, Seen, refs_of
 from rosward.flow import library, natives
 from rosward.flow.body import Body
@@ -265,8 +266,10 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     roots = frozenset(map(walker.shape.owner, leads(seen, result))) | frozenset(map(of_library, seen.externals))
     opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
     mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen))
+    for _, entry in seen.scheduled:
+        mask |= walker.returned.get(entry, 0)
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))
-    _register(walker, body, seen, marks, pc)
+    _register(walker, op, body, seen, marks, pc)
     if any(_spins(f) for f in callees(seen.functions)):
         walker.join_beside()
 
@@ -306,14 +309,24 @@ def _addresses(value: Value) -> Iterable[int]:
             yield address
 
 
-def _register(walker: Walker, body: Body, seen: Seen, marks: list[Mark], pc: int) -> None:
+def _register(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark], pc: int) -> None:
     """Callbacks that are registered here run only where control is here, and may be given what is at hand."""
+    handed = _hands(walker, body.registers[op.func], seen) if seen.scheduled else ()
     for _, entry in seen.scheduled:
+        if handed and entry.event == BY_LIBRARY:
+            walker.handed[entry] = handed
         given, callback = 0, NOTHING
         for mark in marks:
             given |= walker.memory.deep(mark) if entry.event not in _ARRIVING else 0
             callback = callback.joined(Mark(mark.mask, bound_in(mark)))
         walker.register(entry, body.pc | pc, given, callback)
+
+
+def _hands(walker: Walker, function: Mark, seen: Seen) -> tuple[str, ...]:
+    """The classes of what a function of a library calls a callback with."""
+    names = [n for root in function.roots if (n := library.name_of(root))]
+    names += [f"{f.module.name}.{f.code.qualname}" for f in callees(seen.functions) if isinstance(f, Function)]
+    return next((hands for name in sorted(names) if (hands := walker.shape.said(name).hands)), ())
 
 
 _ARRIVING: Final = frozenset({"message", "service", "timer", "goal", "execute", "accepted", "cancel", "future"})

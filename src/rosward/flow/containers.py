@@ -42,6 +42,8 @@ def _extend(call: NativeCall) -> Mark:
     for argument in call.marks[1:]:
         found = elements(call.walker, argument).under(call.pc)
         size = call.pc | argument.mask | memory.size(argument.roots)
+        if call.name.endswith("dict.update"):
+            size |= _keys(call, argument)
         slots: dict[object, Mark] = {}
         several = [memory.of(root).slots for root in argument.roots]
         for each in several:
@@ -115,8 +117,12 @@ def _remove(call: NativeCall) -> Mark:
 
 def _reorder(call: NativeCall) -> Mark:
     memory, owner = call.walker.memory, call.mark(0)
+    mask = memory.deep(owner) | call.pc
+    for several in call.walker.bodies_of(call.seen).values():  # `key=`
+        for activation in several:
+            mask |= memory.deep(call.walker.results.get(activation, NOTHING))
     memory.collapse(owner.roots)
-    memory.write_any(owner.roots, Mark(memory.deep(owner) | call.pc))
+    memory.write_any(owner.roots, Mark(mask))
     return Mark(call.pc)
 
 
@@ -143,7 +149,7 @@ def _dict(call: NativeCall) -> Mark:
     rest, size = NOTHING, call.pc
     for mark in positional:
         under = mark.mask | call.pc
-        size |= under | memory.size(mark.roots)
+        size |= under | memory.size(mark.roots) | _keys(call, mark)
         for root in mark.roots:
             content = memory.of(root)
             rest = rest.joined(content.any).under(content.base | under)
@@ -156,6 +162,18 @@ def _dict(call: NativeCall) -> Mark:
         if argument.kind == "keyword":
             slots[argument.name] = mark.under(call.pc)
     return call.new(Content(0, rest, size, slots))
+
+
+def _keys(call: NativeCall, mark: Mark) -> int:
+    """What the keys depend on that a list of pairs gives: equal ones count once."""
+    memory, shape, mask = call.walker.memory, call.walker.shape, 0
+    for root in mark.roots:
+        if isinstance(root, int) and shape.kind(root) == "dict":
+            continue
+        for pair in memory.of(root).whole.roots:
+            is_tuple = not isinstance(pair, int) and pair[0] == "tuple"
+            mask |= memory.deep(memory.of(pair).read(0) if is_tuple else Mark(0, frozenset((pair,))))
+    return mask
 
 
 def _deep_copy(call: NativeCall) -> Mark:

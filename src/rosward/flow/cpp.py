@@ -27,8 +27,7 @@ from rosward.flow.cpp_values import (
     write,
 )
 from rosward.flow.library import name_of, perform, stop
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, of_library
-from rosward.flow.memory import is_slot, slot_of
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, of_library, slot_of
 from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
 from rosward.ir import cpp, ops

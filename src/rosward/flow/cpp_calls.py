@@ -22,8 +22,7 @@ from rosward.flow.cpp_values import (
     slots,
     value,
 )
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.memory import is_slot
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot
 from rosward.flow.ways import Way, each_way, either, joined_marks
 
 if TYPE_CHECKING:

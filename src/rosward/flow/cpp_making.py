@@ -28,8 +28,7 @@ from rosward.flow.cpp_values import (
     value,
     write,
 )
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.memory import is_slot
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot
 from rosward.ir import cpp, ops
 from rosward.ir.check import reads
 

@@ -20,9 +20,8 @@ from rosward.flow.cpp_values import (
     value,
 )
 from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.memory import is_slot, slot_of
-from rosward.flow.outside import out
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, slot_of
+from rosward.flow.outside import cleaned, out
 from rosward.flow.reading import arising
 
 if TYPE_CHECKING:
@@ -237,6 +236,7 @@ def strange(
     memory.renew(root)
     known = [walker.shape.said(n) for n in names]
     if all(said.releases for said in known):
+        cleaned(walker, names[0], mask)
         return Mark(body.pc | given, frozenset((root,)))
     if not all(said.is_known and not said.changes for said in known):
         memory.write_any(reached, Mark(mask | given, behind), mask | given)

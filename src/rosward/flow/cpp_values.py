@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.values import Ref
 from rosward.engine.seen import refs_of
 from rosward.flow.content import Content
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.memory import is_slot, slot_of
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.reading import arising
 
 if TYPE_CHECKING:

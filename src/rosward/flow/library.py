@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.values import Function
 from rosward.flow import arrays
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.outside import comes_in, out
+from rosward.flow.outside import cleaned, comes_in, out
 from rosward.flow.reading import owners_of
 
 if TYPE_CHECKING:
@@ -74,6 +74,7 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
         changed = _given_as(parameter, function, marks)
         walker.memory.write_any(changed.roots - nodes, Mark(mask | given), mask)
     if said.releases:
+        cleaned(walker, name, mask)
         mask = body.pc
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
@@ -125,6 +126,7 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
     arrays.change(walker.memory, op, names, marks, everything[-1], mask)
     known = [walker.shape.said(n) for n in names]
     if known and all(said.releases for said in known):
+        cleaned(walker, names[0], mask)
         return Mark(body.pc | given, frozenset((root,)))
     if known and all(said.is_known and not said.changes for said in known):
         return Mark(mask | given, arrays.viewed(names, everything) | {root})

@@ -27,6 +27,19 @@ Root = int | tuple[object, ...]
 """Where content stands: the address of an object, or a name for what has no address (the result of an unknown call, a tuple)."""
 
 
+def is_slot(root: Root) -> bool:
+    """Whether it is a part of an object that has an address of its own (`engine.seen.places_of`)."""
+    return not isinstance(root, int) and root[0] == "slot"
+
+
+def slot_of(root: Root) -> tuple[Root, object, object]:
+    """Of a slot: the object, the key, and how much of the object it is known to be."""
+    assert not isinstance(root, int)
+    base = root[1]
+    assert isinstance(base, (int, tuple))
+    return base, root[2], root[3]
+
+
 _MOST_PARTS: Final = 8
 
 

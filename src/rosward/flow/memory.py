@@ -13,28 +13,15 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Final, final
 
-from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, TooLongError, both, fewer
-from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.flow.content import EMPTY, Content, Layer, TooLongError, both, fewer
+from rosward.flow.marks import NOTHING, Mark, Root, is_slot, slot_of
 from rosward.flow.remembered import Looked
 from rosward.flow.shape import MELTED, Shape
-
-
-def is_slot(root: Root) -> bool:
-    """Whether it is a part of an object that has an address of its own (`engine.seen.places_of`)."""
-    return not isinstance(root, int) and root[0] == "slot"
-
-
-def slot_of(root: Root) -> tuple[Root, object, object]:
-    """Of a slot: the object, the key, and how much of the object it is known to be."""
-    assert not isinstance(root, int)
-    base = root[1]
-    assert isinstance(base, (int, tuple))
-    return base, root[2], root[3]
-
 
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
 _MOST_LAYERS: Final = 6
+_MOST_LOOKS: Final = 64
 
 
 @final
@@ -51,7 +38,7 @@ class Memory:
         self.log: Layer | None = None  # where each write is noted too, for who may come in between
         self._own: Layer = {}
         self._shared: tuple[Layer, ...] = ()
-        self._looked: dict[frozenset[Root], Looked] = {}  # since the last write; shared by copies that are still alike
+        self._looked: dict[frozenset[Root], Looked] = {}  # what still holds
 
     def copy(self) -> Memory:
         """An independent copy."""
@@ -62,8 +49,7 @@ class Memory:
                 self._shared = fewer(self._shared)
         copy = Memory(self.shape)
         copy._shared, copy.log = self._shared, self.log
-        if self._looked:  # an empty one would be shared beyond the next write
-            copy._looked = self._looked
+        copy._looked = self._looked.copy()
         return copy
 
     def known(self, root: Root) -> Content | None:
@@ -77,15 +63,21 @@ class Memory:
         return found
 
     def _put(self, root: Root, content: Content) -> None:
-        self._own[root] = content
         if self._looked:
-            self._looked = {}
+            self._forget_looks(root, content)
+        self._own[root] = content
         tracker = self.shape.tracker
         if tracker is not None:
             tracker.writes.add(root)
         if self.log is not None:
             old = self.log.get(root)
             self.log[root] = content if old is None else both(old, content)
+
+    def _forget_looks(self, root: Root, content: Content) -> None:
+        """What was found by looking through this object is out of date, unless the same stands in it."""
+        stale = [roots for roots, look in self._looked.items() if look.reads.get(root, content) != content]
+        if stale:
+            self._looked = {roots: look for roots, look in self._looked.items() if roots not in stale}
 
     def items(self) -> Iterator[tuple[Root, Content]]:
         """All objects of which something was written."""
@@ -199,11 +191,13 @@ class Memory:
         return found
 
     def size(self, roots: Iterable[Root]) -> int:
-        """What the number of elements depends on."""
+        """What the number of elements depends on; of a set, on which of them are equal."""
         found = 0
         for root in roots:
             content = self.of(root)
             found |= content.size | content.base
+            if isinstance(root, int) and self.shape.kind(root) == "set":
+                found |= self.deep(Mark(0, frozenset((root,))))
         return found
 
     def is_one(self, roots: Iterable[Root]) -> bool:
@@ -239,7 +233,7 @@ class Memory:
                 if new != old:
                     slots[key] = new
             if slots:
-                self._put(root, content._replace(slots={**content.slots, **slots}))
+                self._put(root, content.with_slots({**content.slots, **slots}))
 
     def write_any(self, roots: Iterable[Root], mark: Mark, size: int = 0) -> None:
         """Something is written under a key that is not known, or added."""
@@ -251,8 +245,8 @@ class Memory:
                 self._write_slot(root, mark)
                 continue
             content = self._opened(root)
-            new = content._replace(any=content.any.joined(mark), size=content.size | size)
-            if new != content:
+            new = content.with_any(mark, size)
+            if new is not content:
                 self._put(root, new)
 
     def renew(self, root: Root) -> None:
@@ -265,11 +259,8 @@ class Memory:
         for holder, content in self.items():
             if holder in self.shape.ended:
                 continue
-            if root in content.any.roots and holder != root:
+            if holder != root and root in content.whole.roots:
                 return True
-            for mark in content.slots.values():
-                if root in mark.roots and holder != root:
-                    return True
         return False
 
     def collapse(self, roots: Iterable[Root]) -> None:
@@ -277,7 +268,7 @@ class Memory:
         for root in roots:
             content = self.of(root) if not is_slot(root) else EMPTY
             if content.slots:
-                self._put(root, content._replace(any=content.whole, slots=NO_SLOTS))
+                self._put(root, Content(content.base, content.whole, content.size))
 
     def take_out(self, roots: Collection[Root], mask: int) -> None:
         """An element is gone: what stands where, and how many there are, depends on this."""
@@ -346,7 +337,10 @@ class Memory:
         tracker = self.shape.tracker
         looked = self._looked.get(mark.roots)
         if looked is None:
-            looked = self._looked[mark.roots] = self._look(mark.roots)
+            looked = self._look(mark.roots)
+            if len(self._looked) >= _MOST_LOOKS:
+                self._looked = {}
+            self._looked[mark.roots] = looked
         elif tracker is not None and looked.tracker is not tracker:
             for root, content in looked.reads.items():
                 tracker.read(root, content)
@@ -358,6 +352,7 @@ class Memory:
         """All that these lead to."""
         mask = 0
         seen: Layer = {}
+        behind: Layer = {}
         work = set(roots)
         known = {id(roots)}
         nodes = self.shape.nodes
@@ -366,15 +361,26 @@ class Memory:
                 raise TooLongError
             root = work.pop()
             content = seen[root] = self.of(root)
-            mask |= content.base | content.any.mask | content.size
-            for each in (content.any, *content.slots.values()):
-                mask |= each.mask
-                if each.roots and id(each.roots) not in known:  # many objects share what they lead to
-                    known.add(id(each.roots))
-                    work |= each.roots - seen.keys() - nodes
+            if root not in self._own and self.known(root) is None:
+                for each in self._behind(root):
+                    behind[each] = self.of(each)
+            whole = content.whole
+            mask |= whole.mask | content.size
+            if whole.roots and id(whole.roots) not in known:  # many objects share what they lead to
+                known.add(id(whole.roots))
+                work |= whole.roots - seen.keys() - nodes
             work.update(r for r in self.shape.held(root) if r not in seen)
         self.shape.spent += len(seen)
-        return Looked(mask, seen, self.shape.tracker)
+        return Looked(mask, {**behind, **seen}, self.shape.tracker)
+
+    def _behind(self, root: Root) -> Iterator[Root]:
+        """The objects that say what stands in one of which nothing was written itself."""
+        while True:
+            owner = slot_of(root) if is_slot(root) else self._owner(root)
+            if owner is None:
+                return
+            root = owner[0]
+            yield root
 
     def reached(self, mark: Mark) -> Iterator[Root]:
         """The objects that a value leads to, but for nodes that it does not lead to at once."""
@@ -388,7 +394,5 @@ class Memory:
                 raise TooLongError
             seen.add(root)
             yield root
-            content = self.of(root)
-            for each in (content.any, *content.slots.values()):
-                work += [r for r in each.roots if r not in self.shape.nodes]
+            work += self.of(root).whole.roots - self.shape.nodes
             work += self.shape.held(root)

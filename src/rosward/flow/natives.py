@@ -158,6 +158,12 @@ def _pass(call: NativeCall) -> Mark:
     return found.under(call.pc)
 
 
+def _view(call: NativeCall) -> Mark:
+    """`memoryview(raw)`: what is written to it stands in what it is a view of."""
+    given = call.mark(0)
+    return Mark(call.pc | given.mask, given.roots | call.computed(0).roots)
+
+
 def _nothing(call: NativeCall) -> Mark:
     return Mark(call.pc)
 
@@ -275,6 +281,7 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **dict.fromkeys(("_rosward.set_parameter", "_rosward.undeclare_parameter"), _set_parameter),
     **dict.fromkeys(("_rosward.is_given", "rclpy.node.Node.has_parameter"), _has_parameter),
     "functools.partial": partials.make,
+    "memoryview": _view,
     "collections._fill": fill,
     "contextlib._end": _throw_into,
     "_rosward.message": _arrives,

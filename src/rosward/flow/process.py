@@ -16,6 +16,7 @@ from rosward.domain.values import Function, Ref, Unknown, Value
 from rosward.effects.flows import Flow, ProcessFlows, Sink, Source
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
+from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import refs_of
 from rosward.flow import blocks, cpp, cpp_calls, straight
 from rosward.flow.awoken import callbacks_of
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
     from rosward.engine.registered import Registered
     from rosward.engine.scheduled import Scheduled
+    from rosward.engine.seen import Activation
     from rosward.engine.watch import Watch
 
 _ROUNDS: Final = 40
@@ -91,7 +93,8 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
             events |= walker.sources.trigger(event)
         data, control, trigger = walker.sources.apart(mask | events | more)
         assumed = data - walker.sources.apart(mask)[0]
-        flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control), assumed))
+        calls = walker.sinks.calls(sink, walker.sources) if complete else ()
+        flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control), assumed, calls))
     callbacks = callbacks_of(walker, machine.schedule_book.entries.values(), _node)
     walker.close()
     machine.log.findings.update(wrong_marks(machine))
@@ -175,10 +178,13 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
         if arguments and entry.event == "service":  # the response is the last of them
             result = result.joined(arguments[-1])
     else:
-        result = begin(walker, root, arguments, _as_registered(walker, entry), given, pc)
+        handed = _handed(walker, entry, root) if entry.args is None else []
+        result = begin(walker, root, arguments, _as_registered(walker, entry), given, pc, handed)
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             send(walker, effect, walker.memory.deep(result) | pc)
+    if entry.event == BY_LIBRARY:
+        walker.give_back(entry, walker.memory.deep(result))
     walker.leave()
 
 
@@ -201,6 +207,17 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     if isinstance(value, Ref) or entry.event in ("service", "execute"):
         return Mark(0, roots)
     return Mark(walker.given.get(entry, 0), roots)
+
+
+def _handed(walker: Walker, entry: Scheduled, root: Activation) -> list[Mark]:
+    """The objects of a library with which it calls a callback, in front of what nobody knows."""
+    function, bound = entry.callback, 0
+    while isinstance(function, (BoundMethod, Partial)):
+        bound += 1 if isinstance(function, BoundMethod) else len(function.arguments)
+        function = function.function
+    count = len(function.code.parameters.positional) - bound if isinstance(function, Function) else 0
+    classes = walker.handed.get(entry, ())[: max(count, 0)]
+    return [Mark(0, frozenset((walker.shape.made(root, -1 - n, name),))) for n, name in enumerate(classes)]
 
 
 def _as_registered(walker: Walker, entry: Scheduled) -> Mark:

@@ -114,6 +114,11 @@ class Shape:
         record = self.record(root) if isinstance(root, int) else None
         return record is not None and record.kind == "list" and record.payload == ITERATOR
 
+    def kind(self, address: int) -> str:
+        """What stands at an address: an object of a class ('instance'), a 'set', a 'dict' and so on; '' where nobody knows."""
+        record = self.record(address)
+        return "" if record is None else record.kind
+
     def owner(self, root: Root) -> Root:
         """The object whose attributes a dict is (`vars(self)`, `globals()`); of all else, the object itself."""
         record = self.record(root) if isinstance(root, int) else None

@@ -46,6 +46,7 @@ class Trail:
         self._kept: dict[int, list[tuple[object, _Met]]] = {}
         self._sent: dict[Sink, dict[object, int]] = {}
         self._keeping: dict[tuple[object, object], int] = {}
+        self._behind: dict[tuple[object, int], tuple[Place | None, ...]] = {}  # once the walk has come to its end
 
     def begin(self, event: object, place: Place | None) -> None:
         """A callback begins, at the first line of its code."""
@@ -88,7 +89,16 @@ class Trail:
         if event is not None:
             return _once(self.begins.get(event), sink.place)
         event = next(iter(self._sent.get(sink, ())), None)
-        places: list[Place | None] = [sink.place]
+        behind = self._behind.get((event, number))
+        if behind is None:
+            behind = self._behind[event, number] = self._back(event, number, source, arriving)
+        return _once(*behind, sink.place)
+
+    def _back(
+        self, event: object, number: int, source: Source, arriving: dict[object, tuple[Source, ...]]
+    ) -> tuple[Place | None, ...]:
+        """The lines from a source to where it is met in a callback."""
+        places: list[Place | None] = []
         seen = {event}
         for _ in range(_MOST):
             met = self._first.get((event, number))
@@ -102,7 +112,7 @@ class Trail:
             if source in arriving.get(event, ()):
                 places.append(self.begins.get(event))
                 break
-        return _once(*places[::-1])
+        return tuple(places[::-1])
 
     def _keeper(
         self, number: int, seen: set[object], key: object, source: Source, arriving: dict[object, tuple[Source, ...]]

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
 from rosward.engine.seen import Activation, Seen
-from rosward.flow.body import Attempt, Body, Point
+from rosward.flow.body import Attempt, Body, Point, here
 from rosward.flow.content import TooLongError
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered, Tracker
-from rosward.flow.sinks import Sinks
+from rosward.flow.sinks import DEEP, Chain, Sinks
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.check import reads
@@ -75,10 +75,13 @@ class Walker:
         self.registered: dict[Scheduled, int] = {}  # what decides that a callback is registered
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
         self.callbacks: dict[Scheduled, Mark] = {}  # as each was registered
+        self.handed: dict[Scheduled, tuple[str, ...]] = {}  # the classes of what a library calls each with
+        self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
         self.node: int | None = None  # on whose behalf
         self.stopped: dict[Root, int] = {}  # what decides that timers and subscriptions go on
+        self.recursive: set[Activation] = set()  # the bodies that may call themselves
         self.changed = False
         self.watched = watched  # the functions that release something
         self.lost = False  # code may run that nobody can name
@@ -163,12 +166,31 @@ class Walker:
         if before != (self.registered[entry], self.given[entry], self.callbacks[entry]):
             self.changed = True
 
+    def give_back(self, entry: Scheduled, mask: int) -> None:
+        """What a function returns that a library calls depends on this: whatever the library makes of it may."""
+        old = self.returned.get(entry, 0)
+        if old | mask != old:
+            self.returned[entry] = old | mask
+            self.changed = True
+
     def send(self, sink: Sink, mask: int) -> None:
         """Something leaves the process."""
         self.trail.send(sink, mask)
         if self.shape.tracker is not None:
-            self.shape.tracker.send(sink, mask)
+            self.shape.tracker.send(sink, here(self.bodies[-1]), mask)
         self.changed |= self.sinks.add(sink, mask, self.event)
+        self.sinks.called(sink, self._chain(), self._with_event(mask))
+
+    def _chain(self) -> Chain | None:
+        """The statements that have led to where control is; None where one of them may have called itself."""
+        if any(body.activation in self.recursive for body in self.bodies):
+            return None
+        return tuple(place for body in self.bodies for place in here(body))[-DEEP:]
+
+    def _with_event(self, mask: int) -> int:
+        for source in self.event:
+            mask |= self.sources.trigger(source)
+        return mask
 
     def place(self) -> Place:
         """The statement of the user's code that is running."""
@@ -235,6 +257,7 @@ class Walker:
         if any(b.activation is activation for b in self.bodies):
             if self.shape.tracker is not None:
                 self.shape.tracker.open = True
+            self.recursive.add(activation)
             return self.results.get(activation, NOTHING)
         given = (tuple(arguments), pc, self.event, self.node, tuple(self.narrowed), bool(self.attempts))
         earlier = self._remembered.setdefault(activation, [])
@@ -243,12 +266,15 @@ class Walker:
             current = not each.tracker.beside or each.beside == self._beside
             if current and each.given == given and self.memory.finds(each.tracker.reads):
                 self.memory.replay(each.writes, each.tracker.placed)
-                for sink, mask in each.tracker.sent.items():
+                before_it = self._chain()
+                for (sink, chain), mask in each.tracker.sent.items():
                     self.trail.send(sink, mask)
+                    whole = None if chain is None or before_it is None else (before_it + chain)[-DEEP:]
+                    self.sinks.called(sink, whole, self._with_event(mask))
                 if self.attempts:
                     self.attempts[-1].mask |= each.raising
                 if outer is not None:
-                    outer.absorb(each.tracker)
+                    outer.absorb(each.tracker, here(self.bodies[-1]))
                 return each.result
         tracker = self.shape.tracker = Tracker()
         beside = self._beside
@@ -260,7 +286,7 @@ class Walker:
         finally:
             self.shape.tracker = outer
             if outer is not None:
-                outer.absorb(tracker)
+                outer.absorb(tracker, here(self.bodies[-1]))
         raising = self.attempts[-1].mask if self.attempts else 0
         if self.attempts:
             self.attempts[-1].mask |= before
@@ -307,6 +333,8 @@ class Walker:
         count = len(activation.code.parameters.names)
         returned = self.enter(activation, [arguments.read(n) for n in range(count)], pc)
         if not activation.code.is_generator:
+            if returned != NOTHING:  # who holds it may get that
+                self.memory.write_any([("generator", key)], returned)
             return returned
         return self.memory.of(("generator", key)).any.under(pc).joined(returned)
 

@@ -36,6 +36,7 @@ def against(graph: FlowGraph, policy: Policy) -> list[Finding]:
     for rule in policy.rules:
         found += _names_nothing(graph, rule)
         found += _forbidden(graph, rule, policy) if rule.sources else _others(graph, rule, policy)
+        found += _decided(graph, rule, policy)
     for release in policy.releases:
         found += _releases(graph, release)
     found += _contradictions(policy)
@@ -77,15 +78,37 @@ def _forbidden(graph: FlowGraph, rule: Rule, policy: Policy) -> Iterator[Finding
     targets = [v for v in meant(rule.not_to, vertices) if v.side == "sent"]
     best: dict[Vertex, tuple[Reached, list[Edge]]] = {}
     for releases, group in _by_releases(starts, policy):
-        found = downstream(graph, group, _passing(rule.by, releases))
+        passing = _passing(rule.by, releases)
+        found = downstream(graph, group, passing)
         for target in targets:
             reached = found.get(target)
-            if reached is not None and reached.by is not None:
-                known = best.get(target)
-                if known is None or _order(reached) < _order(known[0]):
-                    best[target] = reached, way_to(found, target)
+            if reached is None:
+                continue
+            way = way_to(found, target)
+            if not way:  # it is one of the sources itself
+                reached, way = _from_another(graph, target, group, found, passing)
+            known = best.get(target)
+            if way and (known is None or _order(reached) < _order(known[0])):
+                best[target] = reached, way
     for target, (reached, way) in sorted(best.items()):
         yield _broken(rule, way, target, reached)
+
+
+def _from_another(
+    graph: FlowGraph, target: Vertex, starts: Iterable[Vertex], found: dict[Vertex, Reached], passing: Passing
+) -> tuple[Reached, list[Edge]]:
+    """How one of the sources is reached from those of other names; no way where it is not."""
+    direct = [e for e in graph.into.get(target, ()) if e.source.end != target.end and passing(e)]
+    direct = [e for e in direct if (source := found.get(e.source)) is not None and source.by is None]
+    if direct:  # mostly
+        edge = min(direct, key=lambda e: (STRENGTHS.index(e.strength), e.assumed))
+        return Reached(edge.strength, edge.assumed, edge, 1), [edge]
+    behind = upstream(graph, [target], passing)
+    others = [s for s in starts if s in behind and s.end != target.end]
+    if not others:
+        return Reached("data", False, None, 0), []
+    first = min(others, key=lambda s: (_order(behind[s]), s))
+    return behind[first], way_from(behind, first)
 
 
 def _order(reached: Reached) -> tuple[int, bool, int]:
@@ -154,9 +177,25 @@ def _releases(graph: FlowGraph, release: Release) -> Iterator[Finding]:
     if not passing:
         yield Finding("RW602", f"the flow release through {words} releases nothing", _NOWHERE)
     deciding = [edge for edge in _inside(graph, passing) if edge.strength == "control" and edge.source in found]
-    for edge in deciding[:1]:
-        message = f"{edge.source} decides what {words} releases"
-        yield Finding("RW606", message, edge.path[-1] if edge.path else _NOWHERE, nodes=(edge.node,))
+    yield from (_deciding(edge, words) for edge in deciding[:1])
+
+
+def _decided(graph: FlowGraph, rule: Rule, policy: Policy) -> Iterator[Finding]:
+    """What a rule protects decides what a function of a library releases, of which a model says that it does."""
+    marked = [v for v in graph.vertices if v.end.kind == "released" and v.end.name not in policy.functions]
+    if not marked or not rule.sources:
+        return
+    found = downstream(graph, beginnings(meant(rule.sources, graph.vertices)), at_least("control"))
+    for vertex in marked:
+        for edge in graph.into.get(vertex, ()):
+            if edge.strength == "control" and edge.source in found:
+                yield _deciding(edge, vertex.end.name)
+                break
+
+
+def _deciding(edge: Edge, words: str) -> Finding:
+    message = f"{edge.source} decides what {words} releases"
+    return Finding("RW606", message, edge.path[-1] if edge.path else _NOWHERE, nodes=(edge.node,))
 
 
 def _inside(graph: FlowGraph, passing: list[Edge]) -> Iterator[Edge]:

@@ -6,12 +6,12 @@ Of a node of which nothing is known, any topic may hold any other.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Final
 
 from rosward.ros.entities import Interface, Node
-from rosward.ros.flows import STRENGTHS, End, NodeFlows, NodeSink
+from rosward.ros.flows import STRENGTHS, End, NodeCall, NodeFlows, NodeSink
 from rosward.ros.roles import all_to_all
 
 _ANYTHING: Final = End("topic", "/*")
@@ -30,6 +30,14 @@ def flows_of(node: Node) -> NodeFlows:
 def unreleased(sink: NodeSink, released: Iterable[NodeSink]) -> NodeSink:
     """An output with what its released sources are made of in their place: what it holds if no function released anything."""
     inner = {each.sink: each for each in released}
+    if not inner:
+        return sink
+    data, control, trigger = _unreleased(sink, inner)
+    calls = tuple(NodeCall(call.through, *_unreleased(call, inner)) for call in sink.calls)
+    return replace(sink, data=data, control=control, trigger=trigger, calls=calls)
+
+
+def _unreleased(sink: NodeSink | NodeCall, inner: Mapping[End, NodeSink]) -> tuple[tuple[End, ...], ...]:
     listed: dict[str, set[End]] = {strength: set() for strength in STRENGTHS}
     work = [(end, strength) for strength in STRENGTHS for end in sink.of(strength)]
     seen: set[tuple[End, str]] = set()
@@ -44,4 +52,4 @@ def unreleased(sink: NodeSink, released: Iterable[NodeSink]) -> NodeSink:
             listed[strength].add(end)
     data, control = listed["data"], listed["control"] - listed["data"]
     trigger = listed["trigger"] - data - control
-    return replace(sink, data=tuple(sorted(data)), control=tuple(sorted(control)), trigger=tuple(sorted(trigger)))
+    return tuple(sorted(data)), tuple(sorted(control)), tuple(sorted(trigger))

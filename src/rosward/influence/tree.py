@@ -34,6 +34,7 @@ class Tree:
         self._graph = graph
         self._passing = passing
         self._done: set[tuple[End, str]] = set()
+        self._known: dict[tuple[End, str], list[Edge]] = {}
 
     def roots(self, targets: Iterable[Vertex]) -> Iterator[Vertex]:
         """These, each once, whichever sides of it are among them, and without those that stand in the tree by then."""
@@ -60,6 +61,12 @@ class Tree:
 
     def _parts(self, vertex: Vertex) -> list[Edge]:
         """The flows in nodes that make what is sent or arrives under this name, the strongest of each node and source."""
+        found = self._known.get((vertex.end, vertex.node))
+        if found is None:
+            found = self._known[vertex.end, vertex.node] = self._made_of(vertex)
+        return found
+
+    def _made_of(self, vertex: Vertex) -> list[Edge]:
         made: list[Edge] = []
         for side in ("sent", "in"):
             for edge in self._graph.into.get(vertex._replace(side=side), ()):

@@ -15,14 +15,13 @@ exact_calls("rclpy.", …)                                                  in m
 from __future__ import annotations
 
 import ast
-import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Final
 
 from rosward.findings import Finding
 from rosward.records import NamedTuple
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.text import read_bytes
 
 _MOST_FILES: Final = 10_000
@@ -92,7 +91,7 @@ def marked(folder: Path) -> LibraryFacts:
 def stub_names(folder: Path) -> Iterator[str]:
     """The stubs in a folder, in a fixed order."""
     count = 0
-    for above, inner, names in os.walk(folder):
+    for above, inner, names in disk.walk(folder):
         inner.sort()
         for name in sorted(names):
             if name.endswith(".pyi") and count < _MOST_FILES:

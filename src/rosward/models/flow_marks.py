@@ -7,6 +7,7 @@
 @changes("out")                  [[rosward::changes]]              it writes to what it gets
 @stops, @stops("timer")          [[rosward::stops]]                what it is called on, or gets, runs no more, or again
 @releases("why")                 [[rosward::releases("why")]]      what it gives tells nothing of what it gets
+@hands("lib.Link")                                                 what it is given to call is called with this: `Link` of `lib`
                                  [[rosward::holds]]                what it makes, or is called on, holds all that it gets
 """
 
@@ -19,12 +20,15 @@ SINKS: Final = ("code", "device", "file", "log", "network", "pickle", "process",
 """Where something may go; `code` and `pickle`: it decides what is executed."""
 SOURCES: Final = ("argv", "clock", "device", "env", "file", "network", "process", "random", "stdin", "tf")
 """Where something may come from."""
-MARKS: Final = ("sink", "source", "pure", "changes", "stops", "releases", "holds")
+MARKS: Final = ("sink", "source", "pure", "changes", "stops", "releases", "holds", "hands")
 _KINDS: Final = {"sink": SINKS, "source": SOURCES}
 
 
 class FlowMark(NamedTuple):
-    """All marks of one function. `stops` and `changes` are its parameters; `self` is what it is called on, `*` any of them."""
+    """All marks of one function. `stops` and `changes` are its parameters; `self` is what it is called on, `*` any of them.
+
+    `hands`: the classes of the arguments with which it calls what it is given, by their dotted names.
+    """
 
     sinks: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
@@ -33,6 +37,7 @@ class FlowMark(NamedTuple):
     holds: bool = False
     stops: tuple[str, ...] = ()
     changes: tuple[str, ...] = ()
+    hands: tuple[str, ...] = ()
 
     @property
     def is_known(self) -> bool:
@@ -55,6 +60,7 @@ def mark_of(said: Mapping[str, tuple[str, ...]]) -> FlowMark | None:
         "holds" in said,
         said["stops"] or ("self",) if "stops" in said else (),
         said["changes"] or ("*",) if "changes" in said else (),
+        said.get("hands", ()),
     )
 
 
@@ -78,5 +84,7 @@ def wrong(mark: str, words: Iterable[str | None], parameters: Iterable[str] | No
         for word in given if parameters is not None else ():
             if word not in known:
                 yield f"{mark} names {word!r}, which is no parameter"
+    elif mark == "hands" and not all(word and word.replace(".", "_").isidentifier() for word in given):
+        yield "hands takes dotted names of classes"
     elif mark == "releases" and (len(given) != 1 or not given[0]):
         yield "releases says in one text why nothing of what it gets can be told from what it gives"

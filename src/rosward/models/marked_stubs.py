@@ -18,7 +18,7 @@ from rosward.models.flow_marks import MARKS, FlowMark, mark_of, wrong
 
 _NOTATION: Final = "_rosward"
 _FUNCTIONS: Final = (ast.FunctionDef, ast.AsyncFunctionDef)
-_NEEDING_WORDS: Final = frozenset({"sink", "source", "changes", "releases"})
+_NEEDING_WORDS: Final = frozenset({"sink", "source", "changes", "releases", "hands"})
 
 
 class Wrong(NamedTuple):

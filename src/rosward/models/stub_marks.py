@@ -20,7 +20,7 @@ from rosward.findings import Finding
 from rosward.models.facts import stub_names
 from rosward.models.flow_marks import NO_MARK, FlowMark
 from rosward.models.marked_stubs import Scope, Wrong, imports_of, scope_of
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
@@ -123,10 +123,7 @@ def _read(file: Path) -> Scope | None:
 
 def _tree(file: Path) -> ast.Module | None:
     """A stub; None where there is none, where it has nothing of the notation, or cannot be read, which is told where it is imported."""
-    try:
-        if not file.is_file():
-            return None
-    except OSError:  # a name too long for a file
+    if not disk.is_file(file):
         return None
     data = read_bytes(file, file.name, limits.STUB_FILE)
     if isinstance(data, Finding):

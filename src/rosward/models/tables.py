@@ -29,6 +29,7 @@ class Models(NamedTuple):
     facts: LibraryFacts
 
 
+_OWN_MODULES: Final = "rosward.models."
 _CPP: Final = "rosward.models.cpp"
 
 
@@ -66,12 +67,17 @@ def own_models() -> Models:
     """The `NATIVES` tables of all other modules of this package, and the facts of its stubs."""
     if not _OWN_NATIVES:
         content = kept("natives", lambda: json.dumps(_own_natives()).encode())
-        _OWN_NATIVES.append(Natives(_own_natives() if content is None else json.loads(content)))
+        found = {} if content is None else json.loads(content)
+        if not found or not all(
+            module.startswith(_OWN_MODULES) for module in found.values()
+        ):  # nothing else is imported
+            found = _own_natives()
+        _OWN_NATIVES.append(Natives(found))
     return Models(_OWN_NATIVES[0], OWN)
 
 
 def _own_natives() -> dict[str, str]:
-    return _modules_of_natives(rosward.models.__path__, "rosward.models.", without=_CPP)
+    return _modules_of_natives(rosward.models.__path__, _OWN_MODULES, without=_CPP)
 
 
 def _modules_of_natives(path: Iterable[str], prefix: str, without: str = "") -> dict[str, str]:

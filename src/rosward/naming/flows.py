@@ -16,7 +16,7 @@ from rosward.naming.resolved import resolved
 from rosward.records import replace
 from rosward.ros.distro import Distro
 from rosward.ros.entities import EntityKind, Node
-from rosward.ros.flows import EXECUTING, STRENGTHS, End, NodeCallback, NodeFlows, NodeSink
+from rosward.ros.flows import EXECUTING, STRENGTHS, End, NodeCall, NodeCallback, NodeFlows, NodeSink
 from rosward.ros.roles import all_to_all
 from rosward.source.location import Place
 
@@ -117,9 +117,13 @@ def _sinks(flow: Flow, names: _Names) -> Iterator[NodeSink]:
     for source, path in flow.paths.items():
         for end in names.of(source.kind, source.node, source.given, source.name):
             paths.setdefault(end, path)
+    calls = tuple(
+        NodeCall(call.through, *(_ends(each, names) for each in (call.data, call.control, call.trigger)))
+        for call in flow.calls
+    )
     for end in names.of(sink.kind, sink.node, sink.given):
         assumed = _ends(flow.assumed, names)
-        yield NodeSink(end, sink.place, data, control, trigger, assumed, tuple(sorted(paths.items())))
+        yield NodeSink(end, sink.place, data, control, trigger, assumed, tuple(sorted(paths.items())), calls)
 
 
 def _ends(sources: Iterable[Source], names: _Names) -> tuple[End, ...]:
@@ -135,19 +139,40 @@ def _joined(sinks: Iterable[NodeSink]) -> tuple[NodeSink, ...]:
 
 
 def _one(several: list[NodeSink]) -> NodeSink:
-    listed: dict[str, tuple[End, ...]] = {}
-    seen: set[End] = set()
-    for strength in STRENGTHS:
-        ends = {end for sink in several for end in sink.of(strength)} - seen
-        seen |= ends
-        listed[strength] = tuple(sorted(ends))
+    listed = _strongest(several)
+    seen = {end for ends in listed.values() for end in ends}
     sure = {end for sink in several for s in STRENGTHS for end in sink.of(s) if end not in sink.assumed}
     paths: dict[End, tuple[Place, ...]] = {}
     for sink in several:
         paths = {**dict(sink.paths), **paths}
     first = several[0]
     kept = tuple(sorted((end, path) for end, path in paths.items() if end in seen))
-    return NodeSink(first.sink, first.at, **listed, assumed=tuple(sorted(seen - sure)), paths=kept)
+    return NodeSink(
+        first.sink, first.at, **listed, assumed=tuple(sorted(seen - sure)), paths=kept, calls=_calls(several)
+    )
+
+
+def _strongest(several: Iterable[NodeSink | NodeCall]) -> dict[str, tuple[End, ...]]:
+    """The sources of all of them by strength, each in the strongest only."""
+    known = list(several)
+    listed: dict[str, tuple[End, ...]] = {}
+    seen: set[End] = set()
+    for strength in STRENGTHS:
+        ends = {end for each in known for end in each.of(strength)} - seen
+        seen |= ends
+        listed[strength] = tuple(sorted(ends))
+    return listed
+
+
+def _calls(several: list[NodeSink]) -> tuple[NodeCall, ...]:
+    """By callers, where all of them are told by callers."""
+    if not all(sink.calls for sink in several):
+        return ()
+    found: dict[tuple[Place, ...], list[NodeCall]] = {}
+    for sink in several:
+        for call in sink.calls:
+            found.setdefault(call.through, []).append(call)
+    return tuple(NodeCall(through, **_strongest(calls)) for through, calls in sorted(found.items()))
 
 
 def both(ours: NodeFlows | None, theirs: NodeFlows | None) -> NodeFlows | None:

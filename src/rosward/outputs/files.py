@@ -13,6 +13,7 @@ from rosward.outputs.graphs.pictures import Pictures
 from rosward.outputs.whole_files import write_text
 from rosward.outputs.writing import File, Material, Scan, files, text
 from rosward.records import NamedTuple
+from rosward.source import disk
 from rosward.source.location import Place
 from rosward.suppression.judge import of_no_file
 
@@ -43,6 +44,7 @@ def write_outputs(
         paths = written.setdefault(one.name, {})
         for name, content in _files(one, material, scan, failed.values()):
             path = write_text(folder, name, content)
+            disk.wrote(folder, name, content.encode())
             if "/" not in name:
                 paths[path] = None
 

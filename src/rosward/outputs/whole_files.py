@@ -10,58 +10,95 @@ output folder is not followed: it could lead anywhere.
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
 import stat
-import tempfile
 import time
-from pathlib import Path, PurePosixPath
-from typing import Final
 
-__all__ = ["write_text"]
+TYPE_CHECKING = False  # neither typing nor pathlib: a command that says again what it said before loads little
+if TYPE_CHECKING:
+    from typing import Final
+
+__all__ = ["WholeFile", "write_bytes", "write_text"]
 
 _MARK: Final = ".rosward-"
 _ABANDONED: Final = 3_600.0
 """Seconds after which nobody is still writing."""
+_WRITING: Final = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 
 
 def write_text(folder: str, name: str, text: str) -> str:
     """Write one file below a folder, whole or not at all; returns its path. Raises OSError."""
-    parts = PurePosixPath(name).parts
+    return write_bytes(folder, name, text.encode())
+
+
+def write_bytes(folder: str, name: str, content: bytes) -> str:
+    """The same with what is no text, or is one as it stands in the file."""
+    with WholeFile(folder, name) as file:
+        file.target.write(content)
+    return file.path
+
+
+class WholeFile:
+    """A file to write to, which is at its place when the block ends, and never is if that raises. Raises OSError."""
+
+    def __init__(self, folder: str, name: str) -> None:
+        place, self.path = _place(folder, name)
+        self._temporary = os.path.join(place, f"{_MARK}{os.urandom(8).hex()}")  # noqa: PTH118
+        self.target = os.fdopen(os.open(self._temporary, _WRITING, 0o600), "wb")
+
+    def __enter__(self) -> WholeFile:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        try:
+            self.target.close()
+            if kind is None:
+                os.chmod(self._temporary, 0o644)  # noqa: PTH101
+                os.replace(self._temporary, self.path)  # noqa: PTH105
+        except BaseException:
+            self._remove()
+            raise
+        if kind is not None:
+            self._remove()
+
+    def _remove(self) -> None:
+        try:  # noqa: SIM105
+            os.unlink(self._temporary)  # noqa: PTH108
+        except OSError:
+            pass
+
+
+def _place(folder: str, name: str) -> tuple[str, str]:
+    """The folder of a file, which is made, and its path."""
+    parts = [part for part in name.split("/") if part not in ("", ".")]
     if not parts or name.startswith("/") or ".." in parts or "\0" in name:
         raise OSError(errno.EINVAL, f"{name!r} is no file below a folder")
-    place = Path(folder)
-    place.mkdir(parents=True, exist_ok=True)
+    place = os.path.normpath(folder) if folder else "."
+    os.makedirs(place, exist_ok=True)  # noqa: PTH103
     for part in parts[:-1]:
-        place = place / part
-        place.mkdir(exist_ok=True)
-        if place.is_symlink():
-            raise OSError(errno.ELOOP, f"{place} is a symbolic link, which is not followed", str(place))
+        place = os.path.join(place, part)  # noqa: PTH118
+        try:
+            os.mkdir(place)  # noqa: PTH102
+        except FileExistsError:
+            if not os.path.isdir(place):  # noqa: PTH112
+                raise
+        if os.path.islink(place):  # noqa: PTH114
+            raise OSError(errno.ELOOP, f"{place} is a symbolic link, which is not followed", place)
     _tidy(place)
-    _replace(place / parts[-1], text)
-    return str(place / parts[-1])
+    path = os.path.join(place, parts[-1]) if place != "." else parts[-1]  # noqa: PTH118
+    return place, path
 
 
-def _tidy(folder: Path) -> None:
+def _tidy(folder: str) -> None:
     """Take away what runs that were killed have left."""
     now = time.time()
-    with contextlib.suppress(OSError), os.scandir(folder) as entries:
-        for entry in entries:
-            if entry.name.startswith(_MARK):
-                status = entry.stat(follow_symlinks=False)
-                if stat.S_ISREG(status.st_mode) and now - status.st_mtime > _ABANDONED:
-                    os.unlink(entry.path)  # noqa: PTH108
-
-
-def _replace(path: Path, text: str) -> None:
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=_MARK)
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        os.chmod(temporary, 0o644)  # noqa: PTH101
-        os.replace(temporary, path)  # noqa: PTH105
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)  # noqa: PTH108
-        raise
+        with os.scandir(folder) as entries:
+            for entry in entries:
+                if entry.name.startswith(_MARK):
+                    status = entry.stat(follow_symlinks=False)
+                    if stat.S_ISREG(status.st_mode) and now - status.st_mtime > _ABANDONED:
+                        os.unlink(entry.path)  # noqa: PTH108
+    except OSError:  # somebody else has taken it away
+        pass

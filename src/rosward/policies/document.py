@@ -18,7 +18,7 @@ from xml.parsers import expat
 
 from rosward.findings import Finding
 from rosward.records import NamedTuple
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
 from rosward.source.xml_events import RefusedXmlError, parse
@@ -46,7 +46,7 @@ class Element(NamedTuple):
 
 def read_document(path: str) -> tuple[Element | None, list[Finding]]:
     """The outermost element of a file, its inclusions replaced, and what could not be read (RW403)."""
-    reading = _Reading(os.path.dirname(os.path.realpath(path)))  # noqa: PTH120
+    reading = _Reading(os.path.dirname(disk.real_path(path)))  # noqa: PTH120
     return reading.document(path, 0), reading.findings
 
 
@@ -110,7 +110,7 @@ class _Reading:
         return [] if root is None else _pointed(root, pointer[1].split("/")[1:])
 
     def _within(self, path: str) -> bool:
-        return os.path.realpath(path).startswith(os.path.join(self._folder, ""))  # noqa: PTH118
+        return disk.real_path(path).startswith(os.path.join(self._folder, ""))  # noqa: PTH118
 
     def _tell(self, message: str, place: Place) -> list[Element]:
         self.findings.append(Finding("RW403", message, place))

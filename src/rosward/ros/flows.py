@@ -27,11 +27,29 @@ class End(NamedTuple):
         return f"{self.kind}:{self.name}" if self.name else self.kind
 
 
+def _of(sent: NodeSink | NodeCall, strength: str) -> tuple[End, ...]:
+    return {"data": sent.data, "control": sent.control, "trigger": sent.trigger}[strength]
+
+
+class NodeCall(NamedTuple):
+    """An output as some callers use it, who are named from the outermost on: its sources then."""
+
+    through: tuple[Place, ...]
+    data: tuple[End, ...] = ()
+    control: tuple[End, ...] = ()
+    trigger: tuple[End, ...] = ()
+
+    def of(self, strength: str) -> tuple[End, ...]:
+        """The sources of one strength."""
+        return _of(self, strength)
+
+
 @dataclass(frozen=True, slots=True)
 class NodeSink:
     """One output of a node, at one statement, with the sources of each strength, each in the strongest that holds only.
 
     `assumed`: those of them that stand here only because something is not analysed. `paths`: through which lines each comes here.
+    `calls`: the same by callers, where these are told apart; else empty.
     """
 
     sink: End
@@ -41,10 +59,11 @@ class NodeSink:
     trigger: tuple[End, ...] = ()
     assumed: tuple[End, ...] = ()
     paths: tuple[tuple[End, tuple[Place, ...]], ...] = ()
+    calls: tuple[NodeCall, ...] = ()
 
     def of(self, strength: str) -> tuple[End, ...]:
         """The sources of one strength."""
-        return {"data": self.data, "control": self.control, "trigger": self.trigger}[strength]
+        return _of(self, strength)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ SENT: Final = {
     EntityKind.PUBLISHER: ("topic",),
     EntityKind.SERVICE_CLIENT: ("request",),
     EntityKind.SERVICE_SERVER: ("response",),
-    EntityKind.ACTION_CLIENT: ("goal",),
+    EntityKind.ACTION_CLIENT: ("goal", "cancel"),
     EntityKind.ACTION_SERVER: ("feedback", "result"),
 }
 """The sinks that an entity is."""
@@ -23,7 +23,7 @@ ARRIVING: Final = {
     EntityKind.SERVICE_CLIENT: ("response",),
     EntityKind.SERVICE_SERVER: ("service",),
     EntityKind.ACTION_CLIENT: ("feedback", "result"),
-    EntityKind.ACTION_SERVER: ("goal",),
+    EntityKind.ACTION_SERVER: ("goal", "cancel"),
 }
 """The sources that an entity is."""
 

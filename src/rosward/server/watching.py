@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Final, final
 
@@ -20,7 +21,7 @@ from rosward.server.limits import Limits
 from rosward.server.places import UploadRefusedError, why_left_out
 from rosward.server.results import ENDED, AnalysedSource, Results
 
-__all__ = ["Watches"]
+__all__ = ["Watches", "changes", "counts"]
 
 _DEBOUNCE: Final = 1_600
 """Milliseconds within which changes are one, at most."""
@@ -29,6 +30,30 @@ _QUIET: Final = 150
 """Milliseconds without a change, after which they are told."""
 
 _BUILT: Final = frozenset({"build", "install", "log"})
+
+
+async def changes(path: Path, own: Path) -> AsyncIterator[None]:
+    """Something is yielded whenever sources below a path have changed; `own`: where our results are. Raises OSError, RuntimeError."""
+    async for _ in awatch(
+        path if path.is_dir() else path.parent,
+        watch_filter=lambda _, changed: counts(Path(changed), path, own),
+        debounce=_DEBOUNCE,
+        step=_QUIET,
+        recursive=path.is_dir(),
+        ignore_permission_denied=True,
+    ):
+        yield None
+
+
+def counts(changed: Path, path: Path, own: Path) -> bool:
+    """Whether a change can be one of the sources below a path."""
+    if changed == path:
+        return True
+    if not changed.is_relative_to(path) or changed.resolve().is_relative_to(own):
+        return False
+    name = changed.relative_to(path).as_posix()
+    hidden = why_left_out(f"{name}/")  # also of a folder that has come
+    return name.partition("/")[0] not in _BUILT and not hidden and not why_left_out(name) and not name.endswith("~")
 
 
 @final
@@ -68,30 +93,12 @@ class Watches:
             await self.stop(AnalysedSource("workspace", key, ""))
 
     async def _watch(self, source: AnalysedSource) -> None:
-        path = Path(source.key)
-        folder = path if path.is_dir() else path.parent
         try:
-            async for _ in awatch(
-                folder,
-                watch_filter=lambda _, changed: self._counts(Path(changed), path),
-                debounce=_DEBOUNCE,
-                step=_QUIET,
-                recursive=path.is_dir(),
-                ignore_permission_denied=True,
-            ):
+            async for _ in changes(Path(source.key), self._own):
                 await self._again(source)
         except (OSError, RuntimeError):  # the folder is gone, or the system watches no more files
             self._tasks.pop(source.key, None)
             self._results.touch()
-
-    def _counts(self, changed: Path, path: Path) -> bool:
-        if changed == path:
-            return True
-        if not changed.is_relative_to(path) or changed.resolve().is_relative_to(self._own):
-            return False
-        name = changed.relative_to(path).as_posix()
-        hidden = why_left_out(f"{name}/")  # also of a folder that has come
-        return name.partition("/")[0] not in _BUILT and not hidden and not why_left_out(name) and not name.endswith("~")
 
     async def _again(self, source: AnalysedSource) -> None:
         """Analyse it with the settings of the last result, instead of what is still under way for an earlier change."""

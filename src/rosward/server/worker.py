@@ -18,11 +18,11 @@ import threading
 import traceback
 from typing import NoReturn, TextIO
 
+from rosward.confined import bound
 from rosward.pipeline import NothingToReadError, UnknownRequestError
 from rosward.safe import printable
 from rosward.server.analysis import analyse
 from rosward.server.job import Job, JobEnd, read_job
-from rosward.server.limits import Limits
 from rosward.server.places import UploadRefusedError
 from rosward.server.telling import Teller
 
@@ -39,7 +39,8 @@ def main() -> None:
             _watch(computing)
     teller = Teller(_stream_of_its_own())
     job = read_job(sys.stdin.readline())
-    _bound(job.limits)
+    limits = job.limits
+    bound(limits.memory, int(limits.seconds) + 5, limits.unpacked)
     teller.end(_end_of(job, teller))
 
 
@@ -92,24 +93,6 @@ def _end_with_input(descriptor: int) -> None:
     with contextlib.suppress(OSError, ValueError):
         os.read(descriptor, 1)
     os._exit(1)
-
-
-def _bound(limits: Limits) -> None:
-    if sys.platform == "win32":
-        return
-    import resource
-
-    bounds = (
-        (resource.RLIMIT_AS, limits.memory),
-        (resource.RLIMIT_CPU, int(limits.seconds) + 5),
-        (resource.RLIMIT_FSIZE, limits.unpacked),
-        (resource.RLIMIT_CORE, 0),
-    )
-    for kind, bound in bounds:
-        hard = resource.getrlimit(kind)[1]
-        wanted = bound if hard == resource.RLIM_INFINITY else min(bound, hard)
-        with contextlib.suppress(OSError, ValueError):
-            resource.setrlimit(kind, (wanted, wanted))
 
 
 def _end_of(job: Job, teller: Teller) -> JobEnd:

@@ -17,23 +17,17 @@ import sys
 from asyncio.subprocess import PIPE, Process
 from collections.abc import Callable
 from pathlib import Path
-from typing import Final
 
+from rosward.confined import isolated
 from rosward.server.job import LONGEST_LINE, Job, JobEnd, JobStep, read_line
 
 __all__ = ["run_job"]
-
-_START: Final = "import sys; sys.path[:] = sys.argv[1:]; from rosward.server.worker import main; main()"
 
 
 async def run_job(job: Job, tell: Callable[[JobStep], None]) -> JobEnd:
     """Do a job in a process of its own; if this is cancelled, the process is killed."""
     process = await asyncio.create_subprocess_exec(
-        sys.executable,
-        "-I",
-        "-c",
-        _START,
-        *_search_path(),
+        *isolated("rosward.server.worker"),
         stdin=PIPE,
         stdout=PIPE,
         cwd=Path(job.output).parent,
@@ -47,13 +41,6 @@ async def run_job(job: Job, tell: Callable[[JobStep], None]) -> JobEnd:
     finally:
         _kill(process)
         await process.wait()
-
-
-def _search_path() -> list[str]:
-    """Where the modules of this process come from, without the current folder; absolute."""
-    own = str(Path(__file__).parent.parent.parent)
-    here = os.getcwd()  # noqa: PTH109
-    return list(dict.fromkeys([*(p for p in sys.path if os.path.isabs(p) and p != here), own]))  # noqa: PTH117
 
 
 async def _talk(process: Process, job: Job, tell: Callable[[JobStep], None]) -> JobEnd:

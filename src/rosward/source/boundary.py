@@ -14,6 +14,8 @@ import os
 from collections.abc import Iterable
 from typing import Final, final
 
+from rosward.source import disk
+
 __all__ = ["EVERYWHERE", "Boundary"]
 
 
@@ -31,8 +33,8 @@ class Boundary:
 
     def extend(self, path: str) -> None:
         """Links may lead into this folder, too; of a file, into the folder that it really stands in."""
-        real = os.path.realpath(path)
-        root = real if os.path.isdir(real) else os.path.dirname(real)  # noqa: PTH112, PTH120
+        real = disk.real_path(path)
+        root = real if disk.is_folder(real) else os.path.dirname(real)  # noqa: PTH120
         if root not in self._roots:
             self._roots.append(root)
 
@@ -40,8 +42,8 @@ class Boundary:
         """Whether the link at a path leads to something that is there, and outside."""
         if self._follow:
             return False
-        real = os.path.realpath(path)
-        return os.path.exists(real) and not any(  # noqa: PTH110
+        real = disk.real_path(path)
+        return disk.exists(real) and not any(
             real == root or real.startswith(root.rstrip(os.sep) + os.sep) for root in self._roots
         )
 

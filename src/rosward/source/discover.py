@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
 from rosward.guard import guarded
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.boundary import Boundary
 from rosward.source.build_script import is_build_script
 from rosward.source.exclude import Exclusion, Exclusions
@@ -152,7 +152,7 @@ def _targets(described: list[tuple[Package, DescribedPackage]]) -> tuple[Target,
 
 def _common_folder(starts: list[str]) -> Path:
     """The folder that all paths have in common."""
-    folders = [path if os.path.isdir(path) else os.path.dirname(path) for path in starts]  # noqa: PTH112, PTH120
+    folders = [path if disk.is_folder(path) else os.path.dirname(path) for path in starts]  # noqa: PTH120
     try:
         return Path(os.path.commonpath(folders))
     except ValueError:  # on several drives
@@ -164,16 +164,16 @@ def _look(starts: list[str], tree: Tree, root: Path, findings: list[Finding], *,
     chosen: set[str] = set()
     seen: set[str] = set()
     for path in starts:
-        if os.path.isdir(path):  # noqa: PTH112
+        if disk.is_folder(path):
             walk(path, tree, seen, include_tests=include_tests)
-        elif os.path.isfile(path):  # noqa: PTH113
+        elif disk.is_file(path):
             chosen.add(path)
             if path.endswith(CPP_SOURCES):
                 tree.cpp.append(path)
             else:
-                tree.python[os.path.realpath(path)] = path
+                tree.python[disk.real_path(path)] = path
         else:
-            there = os.path.lexists(path)
+            there = disk.is_there(path)
             what = (
                 "This is not a regular file or folder, or it cannot be accessed."
                 if there
@@ -181,7 +181,7 @@ def _look(starts: list[str], tree: Tree, root: Path, findings: list[Finding], *,
             )
             findings.append(Finding("RW002", what, Place(place_name(path, root))))
     for path in sorted(tree.linked):
-        tree.python.setdefault(os.path.realpath(path), path)
+        tree.python.setdefault(disk.real_path(path), path)
     for path, what in tree.not_files:
         findings.append(Finding("RW002", f"This file cannot be read: {what}.", Place(place_name(path, root))))
     return chosen
@@ -224,20 +224,20 @@ def _describe_all(
 
 def _package_above(start: str) -> tuple[str, set[str]] | None:
     """The nearest folder around `start` with a package.xml, and the descriptions in it; not beyond a repository."""
-    folder = start if os.path.isdir(start) else os.path.dirname(start)  # noqa: PTH112, PTH120
+    folder = start if disk.is_folder(start) else os.path.dirname(start)  # noqa: PTH120
     for _ in range(_LEVELS_ABOVE):
         names = {n for n in DESCRIPTIONS if _is_file(folder, n)}
         if "package.xml" in names:
             return folder, names
         above = os.path.dirname(folder)  # noqa: PTH120
-        if above == folder or os.path.lexists(f"{folder}{os.sep}.git"):
+        if above == folder or disk.is_there(f"{folder}{os.sep}.git"):
             return None
         folder = above
     return None
 
 
 def _is_file(folder: str, name: str) -> bool:
-    return os.path.isfile(f"{folder}{os.sep}{name}")  # noqa: PTH113
+    return disk.is_file(f"{folder}{os.sep}{name}")
 
 
 def _executables(

@@ -22,6 +22,7 @@ from collections.abc import Iterable, Sequence
 from typing import Final, final
 
 from rosward.records import NamedTuple
+from rosward.source import disk
 
 __all__ = ["Exclusion", "Exclusions", "PatternError", "exclusions_of", "pattern_of"]
 
@@ -139,7 +140,7 @@ def _excludes(pattern: _Compiled, parts: tuple[str, ...], given: int, path: str)
                 following.add(state + 1)
         states = _after_stars(following, pattern)
         whole = position == len(parts) - 1
-        if last in states and position >= given and (not (whole and pattern.folders_only) or os.path.isdir(path)):  # noqa: PTH112
+        if last in states and position >= given and (not (whole and pattern.folders_only) or disk.is_folder(path)):
             return True
     return False
 

@@ -12,7 +12,7 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.text import read_bytes
 from rosward.source.workspace import Executable, ExecutableKind
 
@@ -33,7 +33,7 @@ def executables(described: DescribedPackage, resolver: ImportResolver) -> tuple[
         target = resolver.entry_module(module, package)
         file = target.file if target is not None else None
         if file is None:
-            own = os.path.isdir(os.path.join(package.path, module.partition(".")[0]))  # noqa: PTH112, PTH118
+            own = disk.is_folder(os.path.join(package.path, module.partition(".")[0]))  # noqa: PTH118
             message = f"The executable {name!r} starts the module {module!r}, which is not among the sources."
             findings.append(Finding("RW009" if own else "RW016", message, place))
         elif target is not None and target.guess:
@@ -46,7 +46,7 @@ def executables(described: DescribedPackage, resolver: ImportResolver) -> tuple[
         path = os.path.normpath(os.path.join(top, script))  # noqa: PTH118
         scripts.append((os.path.basename(path), path, place))  # noqa: PTH119
     for name, path, place in scripts:
-        if not path.startswith(top + os.sep) or not os.path.isfile(path) or resolver.is_left_out(path):  # noqa: PTH113
+        if not path.startswith(top + os.sep) or not disk.is_file(path) or resolver.is_left_out(path):
             findings.append(Finding("RW009", f"The script {name!r} is not among the sources.", place))
         elif is_python_script(path):
             found.append(Executable(package, name, ExecutableKind.SCRIPT, resolver.file_at(path, package), place))

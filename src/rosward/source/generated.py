@@ -14,6 +14,7 @@ from typing import final
 
 from rosward.findings import Finding
 from rosward.records import NamedTuple
+from rosward.source import disk
 from rosward.source.boundary import Boundary
 from rosward.source.text import place_name
 from rosward.source.workspace import GeneratedModule, Package, SourceFile, Workspace
@@ -63,7 +64,7 @@ def there(
     for each in generated:
         names = each.name, *(each.validation.split(".") if each.validation else ())
         readable = all(name.isidentifier() for name in names) and "\0" not in each.source
-        if not readable or not os.path.isfile(each.source) or boundary.leads_out(each.source):  # noqa: PTH113
+        if not readable or not disk.is_file(each.source) or boundary.leads_out(each.source):
             message = f"The file from which the module {each.name!r} is generated is not among the sources."
             findings.append(Finding("RW008", message, each.place))
         elif found.setdefault(each.source, each).validation != each.validation:

@@ -14,6 +14,8 @@ import os
 from collections.abc import Iterator
 from typing import Final
 
+from rosward.source import disk
+
 _LIMIT: Final = 20_000
 _MAGIC: Final = frozenset("*?[")
 
@@ -34,7 +36,7 @@ def glob(top: str, pattern: str, *, recursive: bool) -> list[str] | None:
                 if looked_at > _LIMIT:
                     return None
                 path = f"{folder}/{name}" if folder and name else folder or name
-                if last or os.path.isdir(os.path.join(top, path)):  # noqa: PTH112, PTH118
+                if last or disk.is_folder(os.path.join(top, path)):  # noqa: PTH118
                     following[path] = None
         found = list(following)
     return sorted(path for path in found if path)
@@ -43,18 +45,18 @@ def glob(top: str, pattern: str, *, recursive: bool) -> list[str] | None:
 def _matches(folder: str, part: str, *, recursive: bool) -> Iterator[str]:
     if part == "**" and recursive:
         yield ""
-        for inner, folders, names in os.walk(folder):
+        for inner, folders, names in disk.walk(folder):
             folders[:] = sorted(name for name in folders if not name.startswith("."))
             relative = os.path.relpath(inner, folder)
             for name in (*folders, *names):
                 if not name.startswith("."):
                     yield name if relative == "." else f"{relative}/{name}"
     elif _MAGIC.isdisjoint(part):
-        if os.path.lexists(os.path.join(folder, part)):  # noqa: PTH118
+        if disk.is_there(os.path.join(folder, part)):  # noqa: PTH118
             yield part
     else:
         try:
-            names = sorted(entry.name for entry in os.scandir(folder))
+            names = [entry.name for entry in disk.listing(folder)]
         except OSError:
             return
         yield from (

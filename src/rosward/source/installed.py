@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Final, Protocol, final
 
 from rosward.findings import Finding
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.discover import discover
 from rosward.source.location import names_of_path
 from rosward.source.text import place_name, read_bytes
@@ -154,7 +154,7 @@ def _normal(relative: str) -> str | None:
 
 
 def _layer(path: Path, environment: Mapping[str, str]) -> _Layer:
-    if any((path / mark).exists() for mark in _PREFIX_MARKS):
+    if any(disk.exists(path / mark) for mark in _PREFIX_MARKS):
         return _Prefix(path)
     return _SourceWorkspace(discover([path], environment=environment), absolute=True)
 
@@ -165,7 +165,7 @@ class _SourceWorkspace:
 
     def __init__(self, workspace: Workspace, *, absolute: bool) -> None:
         self._root = os.fspath(workspace.root)
-        self._real_root = os.path.realpath(self._root)
+        self._real_root = disk.real_path(self._root)
         self._absolute = absolute
         self._excluded = workspace.excluded
         self._packages: dict[str, list[Package]] = {}
@@ -200,7 +200,7 @@ class _SourceWorkspace:
             return package in self._packages
         return any(
             any(shared.target.startswith(f"{relative}/") for shared in each.shared)
-            or any(self._inside(path, each) and os.path.isdir(path) for path in _installed(each, relative))  # noqa: PTH112
+            or any(self._inside(path, each) and disk.is_folder(path) for path in _installed(each, relative))
             for each in self._packages.get(package, ())
         )
 
@@ -229,7 +229,7 @@ class _SourceWorkspace:
     def at(self, path: str, package: Package | None = None) -> SourceFile | None:
         """The file at a path, unless it (or what it links to) is outside of the workspace."""
         if path not in self._files:
-            if not self._inside(path, package) or not os.path.isfile(path):  # noqa: PTH113
+            if not self._inside(path, package) or not disk.is_file(path):
                 return None
             if self._excluded.of(path) is not None:
                 return None
@@ -256,10 +256,10 @@ class _SourceWorkspace:
         return file.package.name, os.path.relpath(path, file.package.path)
 
     def _inside(self, path: str, package: Package | None) -> bool:
-        real = f"{os.path.realpath(path)}/"
+        real = f"{disk.real_path(path)}/"
         if real.startswith(f"{self._real_root.rstrip('/')}/"):
             return True
-        return package is not None and real.startswith(f"{os.path.realpath(package.path)}/")
+        return package is not None and real.startswith(f"{disk.real_path(package.path)}/")
 
     def _owner(self, path: str) -> Package | None:
         around = [
@@ -295,7 +295,7 @@ def _installed(package: Package, relative: str) -> Iterator[str]:
 
 def _names_in(folder: str) -> list[str] | None:
     try:
-        return os.listdir(folder)  # noqa: PTH208
+        return [entry.name for entry in disk.listing(folder)]
     except OSError:
         return None
 
@@ -303,7 +303,7 @@ def _names_in(folder: str) -> list[str] | None:
 def _walk(top: str) -> Iterator[str]:
     """The files of a package, without those of packages within, and of hidden folders."""
     looked_at = 0
-    for folder, inner, names in os.walk(top):
+    for folder, inner, names in disk.walk(top):
         looked_at += len(inner) + len(names)
         if looked_at > _LIMIT:
             return
@@ -330,14 +330,14 @@ class _Prefix:
         """The file at `relative` below the package's share folder."""
         folder = self._folder(package)
         path = "" if folder is None else f"{folder}/{relative}"
-        if not os.path.isfile(path):  # noqa: PTH113  Path raises for a name that is too long
+        if not disk.is_file(path):
             return None
         return SourceFile(Path(path), "/" + place_name(path, "/"))
 
     def is_folder(self, package: str, relative: str) -> bool:
         """Whether there is a folder at `relative`."""
         folder = self._folder(package)
-        return folder is not None and os.path.isdir(f"{folder}/{relative}")  # noqa: PTH112
+        return folder is not None and disk.is_folder(f"{folder}/{relative}")
 
     def listing(self, package: str, relative: str) -> tuple[str, ...] | None:
         """The names in that folder, sorted."""
@@ -348,5 +348,5 @@ class _Prefix:
     def _folder(self, package: str) -> Path | None:
         if package not in self._folders:
             candidates = (self._path / "share" / package, self._path / package / "share" / package)
-            self._folders[package] = next((path for path in candidates if path.is_dir()), None)
+            self._folders[package] = next((path for path in candidates if disk.is_folder(path)), None)
         return self._folders[package]

@@ -3,6 +3,8 @@
 
     kept("models", _made)        what `_made` gave in an earlier run, else what it gives now; None where it gives nothing
 
+Results of analyses are kept below the same folder, by the same rules (`cache/store.py`).
+
 Nothing that is kept is executed, and a result never depends on whether something is kept. An entry that another rosward or another Python wrote,
 that is damaged, or that somebody else could have written is made anew. The folder may be deleted at any time; ROSWARD_CACHE names another one, and
 an empty ROSWARD_CACHE none: then nothing is kept.
@@ -14,14 +16,15 @@ import hashlib
 import os
 import stat
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import suppress
-from pathlib import Path
-from typing import Final
 
 from rosward._version import __version__
 
-__all__ = ["cache_folder", "kept", "read_own", "write_own"]
+TYPE_CHECKING = False  # neither typing nor pathlib: this decides what else is loaded
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Final
+
+__all__ = ["cache_folder", "kept", "program_key", "read_own", "write_own"]
 
 _PACKAGE: Final = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))  # noqa: PTH100, PTH120  no Path where start-up counts
 _SUFFIXES: Final = (".py", ".pyi", ".yaml", ".js", ".css", ".html", ".json")
@@ -43,7 +46,7 @@ def kept(name: str, make: Callable[[], bytes | None]) -> bytes | None:
     folder = cache_folder()
     if folder is None or not _is_ready(folder):
         return None
-    entry = f"{name}-{_key()}"
+    entry = f"{name}-{program_key()}"
     found = read_own(folder, entry)
     if found is None:
         found = make()
@@ -52,26 +55,26 @@ def kept(name: str, make: Callable[[], bytes | None]) -> bytes | None:
     return found
 
 
-def cache_folder() -> Path | None:
+def cache_folder() -> str | None:
     """Where rosward keeps what it need not compute again; None where there is no such place."""
     named = os.environ.get("ROSWARD_CACHE")
     if named is not None:
-        return Path(named) if os.path.isabs(named) else None  # noqa: PTH117
+        return named if os.path.isabs(named) else None  # noqa: PTH117
     base = os.environ.get("XDG_CACHE_HOME", "")
     if sys.platform == "win32":
         base = os.environ.get("LOCALAPPDATA", "")
     elif not os.path.isabs(base):  # noqa: PTH117
         home = os.path.expanduser("~")  # noqa: PTH111
         base = os.path.join(home, "Library/Caches" if sys.platform == "darwin" else ".cache")  # noqa: PTH118
-    return Path(base, "rosward") if os.path.isabs(base) else None  # noqa: PTH117
+    return os.path.join(base, "rosward") if os.path.isabs(base) else None  # noqa: PTH117, PTH118
 
 
-def read_own(folder: Path, entry: str) -> bytes | None:
+def read_own(folder: str | os.PathLike[str], entry: str) -> bytes | None:
     """What this user wrote under a name; None where it is not there, is damaged, or may be from somebody else."""
     try:
-        if not _is_mine(folder.stat()):
+        if not _is_mine(os.stat(folder)):  # noqa: PTH116
             return None
-        with os.fdopen(os.open(folder / entry, _READING), "rb") as file:
+        with os.fdopen(os.open(os.path.join(folder, entry), _READING), "rb") as file:  # noqa: PTH118
             about = os.fstat(file.fileno())
             if not stat.S_ISREG(about.st_mode) or about.st_size > _LARGEST or not _is_mine(about):
                 return None
@@ -82,18 +85,21 @@ def read_own(folder: Path, entry: str) -> bytes | None:
     return content if data[:_DIGEST] == _digest(content) else None
 
 
-def write_own(folder: Path, entry: str, content: bytes) -> bool:
+def write_own(folder: str | os.PathLike[str], entry: str, content: bytes) -> bool:
     """Write under a name, whole or not at all; False where that is not possible."""
     if not _is_ready(folder):
         return False
-    place, new = folder / entry, folder / f"{entry}.{os.getpid()}.new"
+    place = os.path.join(folder, entry)  # noqa: PTH118
+    new = f"{place}.{os.getpid()}.new"
     try:
         with os.fdopen(os.open(new, _WRITING, 0o600), "wb") as file:
             file.write(_digest(content) + content)
-        new.replace(place)
+        os.replace(new, place)  # noqa: PTH105
     except OSError:
-        with suppress(OSError):
-            new.unlink()
+        try:  # noqa: SIM105
+            os.unlink(new)  # noqa: PTH108
+        except OSError:
+            pass
         return False
     return True
 
@@ -102,11 +108,11 @@ def _digest(content: bytes) -> bytes:
     return hashlib.sha256(content).digest()
 
 
-def _is_ready(folder: Path) -> bool:
+def _is_ready(folder: str | os.PathLike[str]) -> bool:
     """Whether this user alone can write into a folder, which is made where it is not there."""
     try:
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        return _is_mine(folder.stat()) and os.access(folder, os.W_OK)
+        os.makedirs(folder, mode=0o700, exist_ok=True)  # noqa: PTH103
+        return _is_mine(os.stat(folder)) and os.access(folder, os.W_OK)  # noqa: PTH116
     except OSError:
         return False
 
@@ -115,7 +121,7 @@ def _is_mine(about: os.stat_result) -> bool:
     return sys.platform == "win32" or (about.st_uid == os.geteuid() and not about.st_mode & _FORBIDDEN)
 
 
-def _forget_others(folder: Path, name: str, entry: str) -> None:
+def _forget_others(folder: str | os.PathLike[str], name: str, entry: str) -> None:
     """Delete the oldest entries of other versions."""
     try:
         with os.scandir(folder) as found:
@@ -123,12 +129,12 @@ def _forget_others(folder: Path, name: str, entry: str) -> None:
                 (e.stat().st_mtime_ns, e.path) for e in found if e.name.startswith(f"{name}-") and e.name != entry
             ]
         for _, path in sorted(others)[:-_OTHERS]:
-            Path(path).unlink()
+            os.unlink(path)  # noqa: PTH108
     except OSError:
         return
 
 
-def _key() -> str:
+def program_key() -> str:
     """What tells this rosward, in this Python, from others."""
     if not _KEYS:
         told = [__version__, sys.version, sys.implementation.name, *_state()]
@@ -137,12 +143,14 @@ def _key() -> str:
 
 
 def _state() -> Iterator[str]:
-    """The state of the package: what pip wrote when it installed it; where it is not installed so, of each of its files."""
-    record = f"{_PACKAGE}-{__version__}.dist-info/RECORD"
+    """The state of the package: the list of files and digests that pip wrote when it installed it; else size and time of each of its files.
+
+    By such a list, the same rosward that is installed anew (as in each run of CI) is the same.
+    """
     try:
-        about = os.stat(record)  # noqa: PTH116
-        yield f"{record} {about.st_size} {about.st_mtime_ns} {about.st_ino}"
-    except OSError:
+        with open(f"{_PACKAGE}-{__version__}.dist-info/RECORD", encoding="utf-8") as file:  # noqa: PTH123
+            yield file.read(_LARGEST)
+    except (OSError, ValueError):
         yield from sorted(_files(_PACKAGE))
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.records import NamedTuple
+from rosward.source import disk
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.exclude import Exclusions
 
@@ -97,17 +98,16 @@ def _list(folder: str, excluded: Exclusions, boundary: Boundary) -> Listing:
     modules: set[str] = set()
     folders: set[str] = set()
     try:
-        with os.scandir(folder) as entries:
-            for entry in entries:
-                if excluded and excluded.of(entry.path) is not None:
-                    continue
-                if entry.is_symlink() and boundary.leads_out(entry.path):
-                    continue
-                if entry.name.endswith(".py"):
-                    if entry.is_file():
-                        modules.add(entry.name[:-3])
-                elif entry.name.isidentifier() and entry.is_dir():
-                    folders.add(entry.name)
+        for entry in disk.listing(folder):
+            if excluded and excluded.of(entry.path) is not None:
+                continue
+            if entry.is_symlink() and boundary.leads_out(entry.path):
+                continue
+            if entry.name.endswith(".py"):
+                if entry.is_file():
+                    modules.add(entry.name[:-3])
+            elif entry.name.isidentifier() and entry.is_dir():
+                folders.add(entry.name)
     except (OSError, ValueError):
         pass
     return Listing(frozenset(modules), frozenset(folders))

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Final
 
 from rosward.findings import Finding
+from rosward.source import disk
 from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.walk import MARKERS, Tree
@@ -71,12 +72,12 @@ def _named_in_marked(root: Path, named: Collection[str]) -> list[Finding]:
     for path in sorted(named):
         folder = os.path.dirname(path)  # noqa: PTH120
         while folder != os.path.dirname(folder):  # noqa: PTH120
-            marker = next((m for m in sorted(MARKERS) if os.path.lexists(f"{folder}{os.sep}{m}")), None)
+            marker = next((m for m in sorted(MARKERS) if disk.is_there(f"{folder}{os.sep}{m}")), None)
             if marker is not None:
                 message = f"{marker} in {place_name(folder, root)} hides this launch file from the build."
                 findings.append(Finding("RW015", message, Place(place_name(path, root))))
                 break
-            if os.path.lexists(f"{folder}{os.sep}.git"):
+            if disk.is_there(f"{folder}{os.sep}.git"):
                 break
             folder = os.path.dirname(folder)  # noqa: PTH120
     return findings

@@ -14,13 +14,12 @@ from __future__ import annotations
 import contextlib
 import io
 import os
-import stat
 import tokenize
 from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
 from rosward.records import NamedTuple
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -28,13 +27,6 @@ if TYPE_CHECKING:
 
 
 _SLOW_CODECS: Final = frozenset({"idna", "punycode"})  # quadratic in the length of the text
-_OPEN_FLAGS: Final = (
-    os.O_RDONLY
-    | getattr(os, "O_NONBLOCK", 0)
-    | getattr(os, "O_NOCTTY", 0)
-    | getattr(os, "O_BINARY", 0)
-    | getattr(os, "O_CLOEXEC", 0)
-)
 
 
 class SourceText(NamedTuple):
@@ -78,23 +70,10 @@ def read_source(path: Path, root: Path, limit: int = limits.PYTHON_FILE) -> Sour
 
 def read_bytes(path: str | Path, file: str, limit: int) -> bytes | Finding:
     """The bytes of the regular file `path` (called `file` in findings), at most `limit` of them."""
-    try:
-        kind = _not_regular(os.stat(path))  # noqa: PTH116
-        if kind:
-            return Finding("RW002", f"This is {kind}, not a text file.", Place(file))
-        descriptor = os.open(path, _OPEN_FLAGS)
-        with open(descriptor, "rb", closefd=True) as stream:  # noqa: PTH123
-            status = os.fstat(descriptor)
-            kind = _not_regular(status)
-            if kind:
-                return Finding("RW002", f"This is {kind}, not a text file.", Place(file))
-            data = stream.read(limit + 1) if status.st_size <= limit else None
-    except (OSError, ValueError) as error:
-        reason = (isinstance(error, OSError) and error.strerror) or str(error)
-        return Finding("RW002", f"The file cannot be read: {reason}.", Place(file))
-    if data is None or len(data) > limit:
-        return Finding("RW003", f"The file is larger than {limit:,} bytes.", Place(file))
-    return data
+    found = disk.read(path, limit)
+    if isinstance(found, disk.Unread):
+        return Finding("RW003" if found.too_large else "RW002", found.why, Place(file))
+    return found
 
 
 def decode(data: bytes, file: str) -> SourceText | Finding:
@@ -168,20 +147,3 @@ def _fallback(data: bytes) -> tuple[str, str]:
 def _lines(text: str) -> str:
     """The text with one kind of line end, as Python's tokenizer sees it."""
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
-
-
-def _not_regular(status: os.stat_result) -> str | None:
-    """What the thing is, unless a regular file."""
-    mode = status.st_mode
-    if stat.S_ISREG(mode):
-        return None
-    for test, name in (
-        (stat.S_ISDIR, "a folder"),
-        (stat.S_ISFIFO, "a named pipe"),
-        (stat.S_ISSOCK, "a socket"),
-        (stat.S_ISCHR, "a device"),
-        (stat.S_ISBLK, "a device"),
-    ):
-        if test(mode):
-            return name
-    return "something else"

@@ -16,6 +16,7 @@ import re
 from typing import Final, final
 
 from rosward.records import NamedTuple
+from rosward.source import disk
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.exclude import Exclusions
 from rosward.source.workspace import SkipReason
@@ -89,8 +90,7 @@ def is_test_file(path: str) -> bool:
     if _TEST_FILE.fullmatch(name) is None or name.endswith(".launch.py"):
         return False
     try:
-        with open(path, "rb") as file:  # noqa: PTH123
-            text = file.read(_TESTED_BYTES)
+        text = disk.head(path, _TESTED_BYTES)
     except OSError:
         return True
     return name == "conftest.py" or _PROGRAM.search(text) is None or _TESTING.search(text) is not None
@@ -101,7 +101,7 @@ def walk(start: str, tree: Tree, seen: set[str], *, include_tests: bool) -> None
 
     What is reached without symbolic links comes first, so that a file with two ways to it has its plain name.
     """
-    linked = [_Folder(start, os.path.realpath(start), top=False, chosen=True)]
+    linked = [_Folder(start, disk.real_path(start), top=False, chosen=True)]
     position = 0
     while position < len(linked):
         plain = [linked[position]]
@@ -122,8 +122,7 @@ def walk(start: str, tree: Tree, seen: set[str], *, include_tests: bool) -> None
 def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_Folder], list[_Folder]]:
     """List one folder; the folders within, and those within that are symbolic links."""
     try:
-        with os.scandir(folder.path) as listing:
-            entries = sorted(listing, key=lambda entry: entry.name)
+        entries = disk.listing(folder.path)
     except OSError as error:
         tree.not_files.append((folder.path, f"a folder that cannot be listed: {error.strerror}"))
         return [], []
@@ -161,7 +160,7 @@ def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_F
                 if name not in {"__pycache__", ".git"}:
                     tree.skipped.append((entry.path, SkipReason.HIDDEN))
                 continue
-            real = os.path.realpath(entry.path) if is_link else f"{folder.real}{os.sep}{name}"
+            real = disk.real_path(entry.path) if is_link else f"{folder.real}{os.sep}{name}"
             (links if is_link else inner).append(_Folder(entry.path, real, top=workspace, chosen=name == own))
             if name.endswith(".py"):
                 tree.not_files.append((entry.path, "a folder"))
@@ -186,7 +185,9 @@ def _matters(entry: os.DirEntry[str]) -> bool:
         or _INTERFACE.fullmatch(name)
     ):
         return True
-    return not name.startswith(".") and name != "__pycache__" and os.path.isdir(entry.path)  # noqa: PTH112  is_dir raises in a circle
+    return (
+        not name.startswith(".") and name != "__pycache__" and disk.is_folder(entry.path)
+    )  # is_dir raises in a circle
 
 
 def _is_test_folder(folder: _Folder, names: set[str]) -> bool:

@@ -15,6 +15,7 @@ from pathlib import Path
 from rosward.findings import Finding
 from rosward.records import NamedTuple
 from rosward.rules import RULES, Severity
+from rosward.source import disk
 from rosward.source.location import Place
 from rosward.source.text import read_source
 from rosward.source.workspace import SourceFile
@@ -118,7 +119,7 @@ def _below_repository(root: Path) -> str:
     """The way from the folder above `root` that holds a version control's data."""
     folder = root.absolute()
     for above in (folder, *folder.parents):
-        if (above / ".git").exists() or (above / ".hg").exists():
+        if disk.exists(above / ".git") or disk.exists(above / ".hg"):
             way = folder.relative_to(above).as_posix()
             return "" if way == "." else f"{way}/"
     return ""

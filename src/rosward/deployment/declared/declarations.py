@@ -17,7 +17,7 @@ from rosward.deployment.declared.read import read_package
 from rosward.deployment.declared.shapes import EndpointGroup, PackageDeclaration, Program
 from rosward.findings import Finding, Findings
 from rosward.guard import guarded
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
@@ -63,7 +63,7 @@ class Declarations:
     def _read(self, package: str) -> Iterator[PackageDeclaration]:
         for label, folder in self._places:
             path = folder / f"{package}.yaml"
-            if not path.is_file():
+            if not disk.is_file(path):
                 continue
             file = f"{label.rstrip('/')}/{package}.yaml"
             data = read_bytes(path, file, limits.DECLARED_FILE)

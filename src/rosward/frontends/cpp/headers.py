@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Final, final
 
 from rosward.findings import Finding
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.parameter_header import parameter_header
 from rosward.source.text import place_name, read_bytes
@@ -72,7 +72,7 @@ class Headers:
     def _is_file(self, path: str) -> bool:
         known = self._files.get(path)
         if known is None:
-            known = path.startswith(self._folders) and os.path.isfile(path) and not self._boundary.leads_out(path)  # noqa: PTH113
+            known = path.startswith(self._folders) and disk.is_file(path) and not self._boundary.leads_out(path)
             self._files[path] = known
         return known
 

@@ -140,7 +140,9 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.pure": _marker("pure"),
     "_rosward.changes": _changes,
     "_rosward.raises_nothing": _raises_nothing,
-    **dict.fromkeys(("_rosward.sink", "_rosward.source", "_rosward.stops", "_rosward.releases"), _of_flow),
+    **dict.fromkeys(
+        ("_rosward.sink", "_rosward.source", "_rosward.stops", "_rosward.releases", "_rosward.hands"), _of_flow
+    ),
     **dict.fromkeys(
         (
             "_rosward.reads_only",

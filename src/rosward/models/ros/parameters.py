@@ -14,7 +14,7 @@ from rosward.domain.certain import is_true, text_of
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Native, Tuple
 from rosward.domain.text import pattern, readable
-from rosward.domain.unknown import Cause, Origins
+from rosward.domain.unknown import Cause, Origin, Origins
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Text, Unknown, Value
 from rosward.effects.log import ParameterEffect
 from rosward.models.failures import fail
@@ -92,7 +92,9 @@ def _now(machine: Machine, value: Value, label: str) -> Value:
 
 
 def _reopened(origins: Origins, label: str) -> Origins:
-    return frozenset(o._replace(settled=False) if o[:2] == ("parameter", label) else o for o in origins)
+    """Of what the node itself has set, too, somebody may give the parameter another value."""
+    found = frozenset(o._replace(settled=False) if o[:2] == ("parameter", label) else o for o in origins)
+    return found if any(o[:2] == ("parameter", label) for o in found) else found | {Origin("parameter", label)}
 
 
 def _parameter(call: NativeCall) -> Value:

@@ -17,7 +17,7 @@ from rosward.influence.links import links_of
 from rosward.outputs.documents.json_text import json_text
 from rosward.outputs.documents.rows import finding_row
 from rosward.ros.entities import Interface, Node
-from rosward.ros.flows import STRENGTHS, End, NodeSink
+from rosward.ros.flows import STRENGTHS, End, NodeCall, NodeSink
 from rosward.source.location import Place
 
 __all__ = ["flow_json"]
@@ -58,16 +58,22 @@ def _node(node: Node) -> dict[str, object]:
 
 def _sink(sink: NodeSink) -> dict[str, object]:
     paths = dict(sink.paths)
+    calls = [{"through": [_at(p) for p in call.through], **_lists(call)} for call in sink.calls]
     known = {end for strength in STRENGTHS for end in sink.of(strength)}
     return {
         "sink": str(sink.sink),
         "at": _at(sink.at),
-        **{strength: _texts(sink.of(strength)) for strength in STRENGTHS},
+        **_lists(sink),
         "assumed": _texts(sink.assumed),
         "paths": {
             str(end): [_at(place) for place in path] for end, path in sorted(paths.items()) if path and end in known
         },
+        **({"calls": calls} if len(calls) > 1 else {}),
     }
+
+
+def _lists(sent: NodeSink | NodeCall) -> dict[str, object]:
+    return {strength: _texts(sent.of(strength)) for strength in STRENGTHS}
 
 
 def _texts(ends: Iterable[End]) -> list[str]:

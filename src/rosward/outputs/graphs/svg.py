@@ -28,6 +28,7 @@ from rosward.outputs.graphs.dot_summary import summaries
 from rosward.outputs.graphs.pictures import Pictures
 from rosward.outputs.writing import File, Material
 from rosward.safe import xml_text
+from rosward.source import disk
 
 __all__ = ["files", "graph_svg"]
 
@@ -85,13 +86,16 @@ def _picture(drawn: Drawing) -> str:
     program = _program()
     if program is None:
         return _message(f"{_PROGRAM} is not installed, so there is no drawing", drawn)
+    disk.note_program(program)
     try:
         done = subprocess.run(
             [program, "-Kdot", "-Tsvg"], input=drawn.text.encode(), capture_output=True, timeout=_SECONDS, check=True
         )
     except subprocess.TimeoutExpired:
+        disk.tear()  # another time it may be quicker
         return _message(f"Drawing took more than {_SECONDS} seconds", drawn)
     except (OSError, subprocess.CalledProcessError):
+        disk.tear()
         return _message(f"{_PROGRAM} could not draw this graph", drawn)
     svg = _PROLOGUE.sub("", done.stdout.decode(errors="replace"))
     return _hatched(svg) if svg.startswith("<svg") else _message(f"{_PROGRAM} could not draw this graph", drawn)
@@ -123,8 +127,8 @@ def _path_of(name: str, folders: Iterable[str] = ()) -> str | None:
             if (
                 Path(folder).is_absolute()
                 and Path(folder) != here
-                and program.is_file()
-                and os.access(program, os.X_OK)
+                and disk.is_file(program)
+                and disk.is_executable(program)
             ):
                 return str(program)
     return None

@@ -7,7 +7,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import islice
 from typing import Final
 
 from rosward.findings import Finding
@@ -19,7 +20,7 @@ from rosward.influence.senders import Influencing
 from rosward.influence.tree import Step, Tree
 from rosward.network.counts import several
 from rosward.ros.entities import Interface, Node
-from rosward.ros.flows import End
+from rosward.ros.flows import End, NodeCall, NodeSink
 from rosward.safe import printable
 from rosward.source.location import Place
 
@@ -35,7 +36,15 @@ __all__ = [
     "ways_text",
 ]
 
-_MOST_LINES: Final = 400
+_MOST_LINES: Final = 2_000
+_MORE: Final = "…  (use --format json for everything)"
+_MOST_NODES: Final = 6
+"""So many nodes of a way are named in a line."""
+
+
+_CONSTANT: Final = "constant"
+_TALK: Final = ("log", "stdout")
+"""Outputs that are not worth a line where they are constant."""
 
 
 def nodes_text(nodes: Sequence[Node], *, data_only: bool = False, triggers: bool = False) -> str:
@@ -43,8 +52,10 @@ def nodes_text(nodes: Sequence[Node], *, data_only: bool = False, triggers: bool
     lines: list[str] = []
     for node in nodes:
         rows = [
-            (shown(sink.sink), *_columns(sink.data, sink.control, sink.trigger, data_only, triggers), _short(sink.at))
+            (shown(sink.sink), *columns, where)
             for sink in flows_of(node).sinks
+            for columns, where in _by_calls(sink, lambda s: _columns(s, data_only, triggers))
+            if triggers or sink.sink.kind not in _TALK or columns[0] != _CONSTANT
         ]
         if rows:
             lines += [f"{node.display_name}  {node.defined_at.file}{_doubt(node)}", *_aligned(rows), ""]
@@ -66,13 +77,36 @@ def _doubt(node: Node) -> str:
     return ""
 
 
-def _columns(
-    data: Iterable[End], control: Iterable[End], trigger: Iterable[End], data_only: bool, triggers: bool
-) -> tuple[str, ...]:
-    made = ", ".join(map(shown, data))
-    decided = "" if data_only else ", ".join(map(shown, control))
-    woken = ", ".join(map(shown, trigger)) if triggers else ""
-    constant = "" if made or decided or woken else "constant"
+def _by_calls(
+    sink: NodeSink, columns: Callable[[NodeSink | NodeCall], tuple[str, ...]]
+) -> Iterator[tuple[tuple[str, ...], str]]:
+    """One row, with its place; several where a function sends something else for each of its callers."""
+    groups: dict[tuple[str, ...], list[tuple[Place, ...]]] = {}
+    for call in sink.calls:
+        groups.setdefault(columns(call), []).append(call.through)
+    if len(groups) < 2:
+        yield columns(sink), _short(sink.at)
+        return
+    for row, places in zip(groups, _telling(list(groups.values())), strict=True):
+        callers = path_text(places, ", ")
+        yield row, f"{_short(sink.at)}{' called at ' if callers else ''}{callers}"
+
+
+def _telling(groups: Sequence[Sequence[tuple[Place, ...]]]) -> list[list[Place]]:
+    """The callers that tell groups of calls apart: the next ones, where these do, else those that call them."""
+    farthest = max(len(through) for calls in groups for through in calls)
+    for near in range(1, farthest + 1):
+        heads = [list(dict.fromkeys(place for through in calls for place in through[-near:][:1])) for calls in groups]
+        if near == farthest or sum(map(len, heads)) == len({place for each in heads for place in each}):
+            break
+    return heads
+
+
+def _columns(sent: NodeSink | NodeCall, data_only: bool, triggers: bool) -> tuple[str, ...]:
+    made = ", ".join(map(shown, sent.data))
+    decided = "" if data_only else ", ".join(map(shown, sent.control))
+    woken = ", ".join(map(shown, sent.trigger)) if triggers else ""
+    constant = "" if made or decided or woken else _CONSTANT
     return (
         f"data  {made}" if made else constant,
         f"decided by  {decided}" if decided else "",
@@ -112,9 +146,9 @@ def tree_text(graph: FlowGraph, targets: Sequence[Vertex], found: dict[Vertex, R
     lines: list[str] = []
     for target in tree.roots(targets):
         lines.append(_vertex(target))
-        lines += _branches(tree.steps(target))
+        lines += islice(_branches(tree.steps(target)), _MOST_LINES - len(lines) + 1)
         if len(lines) > _MOST_LINES:
-            lines[_MOST_LINES:] = ["…  (use --format json for everything)"]
+            lines[_MOST_LINES:] = [_MORE]
             break
     outside = sorted({_vertex(v) for v in found if v.side == "in" and v.node and v.end.kind != "parameter"})
     if outside:
@@ -142,14 +176,14 @@ def _branches(steps: Iterable[Step]) -> Iterator[str]:
         indents.append("   " if last else "│  ")
 
 
-def path_text(path: Iterable[Place]) -> str:
+def path_text(path: Iterable[Place], between: str = " → ") -> str:
     """Lines, each file named once."""
     parts: list[str] = []
     file = ""
     for place in path:
         parts.append(str(place.line) if place.file == file else _short(place))
         file = place.file
-    return " → ".join(parts)
+    return between.join(parts)
 
 
 def reaching_text(starts: Sequence[Vertex], found: dict[Vertex, Reached]) -> str:
@@ -163,10 +197,16 @@ def reaching_text(starts: Sequence[Vertex], found: dict[Vertex, Reached]) -> str
             continue
         seen.add(name)
         via = list(dict.fromkeys(edge.node for edge in way_to(found, vertex) if edge.node))
-        rows.append((reached.strength, name, f"through {', '.join(via)}", "assumed" if reached.assumed else ""))
+        rows.append((reached.strength, name, f"through {_few(via)}", "assumed" if reached.assumed else ""))
     if not rows:
         return f"{lines[0]} reaches nothing.\n"
     return "\n".join(printable(line).rstrip() for line in [*lines, *_aligned(rows)]) + "\n"
+
+
+def _few(names: Sequence[str]) -> str:
+    if len(names) <= _MOST_NODES:
+        return ", ".join(names)
+    return f"{', '.join(names[: _MOST_NODES - 1])} and {len(names) - _MOST_NODES + 1} more nodes"
 
 
 def ways_text(found: dict[Vertex, Reached], targets: Sequence[Vertex]) -> str:
@@ -185,6 +225,9 @@ def ways_text(found: dict[Vertex, Reached], targets: Sequence[Vertex]) -> str:
             if edge.node:
                 lines.append(f"  {edge.node}: {edge.strength}, {_vertex(edge.source)} to {_vertex(edge.target)}")
                 lines += [f"    {place}" for place in edge.path if place.file]
+        if len(lines) > _MOST_LINES:
+            lines[_MOST_LINES:] = [_MORE]
+            break
         lines.append("")
     return "\n".join(printable(line) for line in lines)
 
@@ -214,12 +257,14 @@ def privacy_text(found: Privacy) -> str:
             for one in several_:
                 place = one.way[-1].path[-1] if one.way and one.way[-1].path else ""
                 unsure = "  (assumed)" if one.reached.assumed else ""
-                lines.append(f"    to {_vertex(one.target)}  {place}{unsure}")
+                lines.append(f"    to {_vertex(one.target)}  {place}  in enclave {one.enclave}{unsure}")
         lines.append("")
-    for title, topics in (
-        ("no node of the system subscribes", found.unread),
-        ("content stays in the system", found.private),
-    ):
-        if topics:
-            lines += [title, *(f"  {topic}" for topic in topics), ""]
+    if found.unread:
+        lines += ["no node of the system subscribes", *(f"  {topic}" for topic in found.unread), ""]
+    if found.private:
+        lines.append("content stays in the system (enclaves that publish → that subscribe)")
+        for kept in found.private:
+            senders, receivers = (", ".join(paths) or "none" for paths in (kept.senders, kept.receivers))
+            lines.append(f"  {kept.topic}  {senders} → {receivers}")
+        lines.append("")
     return "\n".join(printable(line) for line in lines) or "There are no topics.\n"

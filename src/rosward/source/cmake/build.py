@@ -10,11 +10,11 @@ consists of over all packages is told by `programs.py`.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Final, final
 
+from rosward.source import disk
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake.exported import ExportCommands
 from rosward.source.cmake.interpreter import Handler, Interpreter
@@ -169,7 +169,7 @@ class _Reader:
     def has_path(self, path: str) -> bool | None:
         """Whether there is a file or folder; nobody knows outside of the package."""
         inner = self._interpreter.inside(path)
-        return None if inner is None else os.path.exists(inner)  # noqa: PTH110
+        return None if inner is None else disk.exists(inner)
 
     def has_environment(self, name: str) -> bool | None:
         """Whether an environment variable is set."""

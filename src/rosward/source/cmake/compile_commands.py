@@ -17,7 +17,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Final
 
 from rosward.records import NamedTuple
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake.targets import Definition
 from rosward.source.text import read_bytes
@@ -45,7 +45,7 @@ def read_compile_commands(folders: Iterable[str], boundary: Boundary = EVERYWHER
     found: dict[tuple[str, str], Compiled] = {}
     for folder in folders:
         for path in (f"{folder}{os.sep}compile_commands.json", f"{folder}{os.sep}build{os.sep}compile_commands.json"):
-            if os.path.isfile(path) and not boundary.leads_out(path):  # noqa: PTH113
+            if disk.is_file(path) and not boundary.leads_out(path):
                 for source, target, compiled in _entries(path):
                     found.setdefault((source, target), compiled)
     return found

@@ -7,10 +7,10 @@ rclcpp_components_register_node(arms PLUGIN "demo::Arm" EXECUTABLE arm)       ->
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import final
 
+from rosward.source import disk
 from rosward.source.cmake.install import by_option, installed_targets, registered_classes
 from rosward.source.cmake.interpreter import Handler, Interpreter
 from rosward.source.cmake.making import TargetCommands
@@ -58,7 +58,7 @@ class ExportCommands:
     def _export(self, arguments: list[str], command: Command | None = None) -> None:  # noqa: ARG002
         for argument in arguments:
             path = None if HOLE in argument else self._interpreter.inside(argument)
-            if path is not None and os.path.isdir(path):  # noqa: PTH112
+            if path is not None and disk.is_folder(path):
                 self.exported[path] = None
 
     def _register(self, arguments: list[str], command: Command) -> None:

@@ -13,6 +13,8 @@ import os
 import re
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.source import disk
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -76,11 +78,11 @@ class PackageFiles:
                 full = f"{folder}{os.sep}{name}"
                 fits = not matching or any(fnmatch.fnmatchcase(name, pattern) for pattern in matching)
                 fits = fits and not any(fnmatch.fnmatchcase(name, pattern) for pattern in unwanted)
-                if fits and (not executable or os.access(full, os.X_OK)):
+                if fits and (not executable or disk.is_executable(full)):
                     yield name, full
 
     def _walk(self, start: str) -> Iterator[tuple[str, list[str], list[str]]]:
-        for folder, inner, names in os.walk(start):
+        for folder, inner, names in disk.walk(start):
             self._looked_at += len(inner) + len(names)
             if self._looked_at > _LIMIT:
                 self.exhausted = True

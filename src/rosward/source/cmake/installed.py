@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.findings import Finding
 from rosward.records import NamedTuple
+from rosward.source import disk
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake.install import CMakeTarget, Targets, below_share, by_option, shared
 from rosward.source.cmake.interpreter import Handler, Interpreter
@@ -217,7 +218,7 @@ class _Reader:
             self._interpreter.findings += declared.findings
 
     def _is_there(self, path: str) -> bool:
-        return os.path.isfile(path) and not self._boundary.leads_out(path)  # noqa: PTH113
+        return disk.is_file(path) and not self._boundary.leads_out(path)
 
 
 def _behind(keyword: str, arguments: list[str]) -> str:

@@ -21,7 +21,7 @@ from typing import Final, Protocol, TypeAlias, final
 
 from rosward.findings import Finding
 from rosward.records import NamedTuple
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.boundary import Boundary
 from rosward.source.cmake.blocks import Block, Step, blocks
 from rosward.source.cmake.conditions import Surroundings, holds
@@ -315,7 +315,7 @@ class Interpreter:
 
     def _subdirectory(self, path: str, depth: int) -> None:
         inner = self.inside(path)
-        if inner is not None and os.path.isfile(os.path.join(inner, "CMakeLists.txt")):  # noqa: PTH113, PTH118
+        if inner is not None and disk.is_file(os.path.join(inner, "CMakeLists.txt")):  # noqa: PTH118
             values = self.variables.values
             name = values["PROJECT_NAME"]  # a project within has a name of its own
             if self._around is not None:
@@ -335,7 +335,7 @@ class Interpreter:
             places = [f"{folder}/{path}.cmake" for folder in self.variables.elements("CMAKE_MODULE_PATH")[:20]]
         for place in places:
             inner = self.inside(place)
-            if inner is not None and os.path.isfile(inner):  # noqa: PTH113
+            if inner is not None and disk.is_file(inner):
                 self.read(os.path.dirname(inner), depth + 1, os.path.basename(inner), included=True)  # noqa: PTH119, PTH120
                 return
 

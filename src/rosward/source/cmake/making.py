@@ -13,6 +13,7 @@ import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final, final
 
+from rosward.source import disk
 from rosward.source.cmake.generators import meant, objects_of
 from rosward.source.cmake.interpreter import Handler, Interpreter
 from rosward.source.cmake.targets import Definition, Made, Making, Using
@@ -121,7 +122,7 @@ class TargetCommands:
     def _automatic(self, target: Making, sources: Sequence[str]) -> Iterator[str]:
         """What `ament_auto_add_*` does for a target: folders of sources, the folder of headers, links to all that was found."""
         include = os.path.join(self._top, "include")  # noqa: PTH118
-        if os.path.isdir(include):  # noqa: PTH112
+        if disk.is_folder(include):
             target.own.includes[include] = None
             target.handed.includes[include] = None
         links = [f"{package}::*" for package in self._found]
@@ -158,7 +159,7 @@ class TargetCommands:
         is_named = text.endswith(CPP_SOURCES)
         candidates = [path] if is_named else [f"{path}{suffix}" for suffix in CPP_SOURCES]
         for candidate in candidates if path is not None and (is_named or "." not in text.rpartition("/")[2]) else ():
-            if candidate is not None and os.path.isfile(candidate):  # noqa: PTH113
+            if candidate is not None and disk.is_file(candidate):
                 target.sources[candidate] = None
                 return
         if is_named:

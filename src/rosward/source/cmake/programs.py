@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Final, final
 
 from rosward.records import NamedTuple
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.boundary import Boundary
 from rosward.source.cmake.build import read_build
 from rosward.source.cmake.compile_commands import CompileCommands, read_compile_commands
@@ -90,7 +90,7 @@ class Builds:
         if package not in self._builds:
             self._builds[package] = None
             record = self._packages.get(package)
-            if record is not None and os.path.isfile(os.path.join(record.path, "CMakeLists.txt")):  # noqa: PTH113, PTH118
+            if record is not None and disk.is_file(os.path.join(record.path, "CMakeLists.txt")):  # noqa: PTH118
                 self._builds[package] = read_build(
                     os.fspath(record.path),
                     package,
@@ -138,13 +138,13 @@ class Builds:
         taken = {source for target in build.targets.values() for source in target.sources} if build else set()
         found: list[str] = []
         looked_at = 0
-        for folder, inner, names in os.walk(record.path):
+        for folder, inner, names in disk.walk(record.path):
             looked_at += len(names) + len(inner)
             if looked_at > _LOOKED_AT:
                 break
             inner[:] = sorted(
                 n for n in inner
-                if n not in _SKIPPED and not n.startswith(".") and not os.path.isfile(f"{folder}/{n}/package.xml")  # noqa: PTH113
+                if n not in _SKIPPED and not n.startswith(".") and not disk.is_file(f"{folder}/{n}/package.xml")
             )  # fmt: skip
             found += [
                 p for n in sorted(names) if n.endswith(CPP_SOURCES) and (p := f"{folder}{os.sep}{n}") not in taken
@@ -248,7 +248,7 @@ class Builds:
                     reached |= dict.fromkeys(other_build.depends)
                     includes |= dict.fromkeys(other_build.exported)
                     folder = os.path.join(other_build.folder, "include")  # noqa: PTH118
-                    if os.path.isdir(folder):  # noqa: PTH112
+                    if disk.is_folder(folder):
                         includes[folder] = None
             found = self._closures[key] = tuple(includes), tuple(definitions)
         return found
@@ -266,7 +266,7 @@ class Builds:
         if found is None:
             found = self._functions[folder] = {}
             try:
-                names = sorted(n.name for n in Path(folder).iterdir() if n.suffix == ".cmake")[:_FILES]
+                names = [e.name for e in disk.listing(folder) if Path(e.name).suffix == ".cmake"][:_FILES]
             except OSError:
                 return found
             for file in names:

@@ -92,18 +92,21 @@ def RawValue(typecode_or_type, *args):
 def Array(typecode_or_type, size_or_initializer, *, lock=True):
     return unknown('live', 'multiprocessing.Array', 'list')
 
-@reads_only
 class _Connection:
-    def __init__(self):
-        self._items = []
-    def send(self, obj): ...
+    def __init__(self, items):
+        self._items = items
+    def send(self, obj):
+        self._items.append(obj)
     def recv(self):
         spin()
         return unknown('live', 'multiprocessing.Pipe')
+    @reads_only
     def poll(self, timeout=0.0) -> bool: ...
+    @reads_only
     def close(self) -> None: ...
 def Pipe(duplex=True):
-    return (_Connection(), _Connection())
+    items = []
+    return (_Connection(items), _Connection(items))
 
 class _Manager:
     def dict(self, *args, **kwargs):
@@ -146,7 +149,7 @@ class _Context:
     def Value(self, typecode_or_type, *args, lock=True):
         return _Shared(args[0] if args else 0)
     def Pipe(self, duplex=True):
-        return (_Connection(), _Connection())
+        return Pipe(duplex)
 def get_context(method=None):
     return _Context()
 @reads_only

@@ -205,6 +205,7 @@ public:
   template<typename... ArgsT>
   auto _canceled(const ArgsT & ... callback)
   {
+    rosward::send("cancel", _node, _action, rosward::type<ActionT>(), 0);
     (rosward::schedule(callback, "response", rosward::arrived<action_msgs::srv::CancelGoal::Response>()), ...);
     return rclcpp::detail::Future<std::shared_ptr<action_msgs::srv::CancelGoal::Response>>(
       rosward::arrived<action_msgs::srv::CancelGoal::Response>());

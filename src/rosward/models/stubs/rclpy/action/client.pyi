@@ -49,8 +49,10 @@ class ClientGoalHandle:
     @property
     def status(self) -> int: ...
 
+    @sends("cancel", "", "_action_client._node", "_action_client._action_name", "_action_client._action_type")
     def cancel_goal(self): ...
 
+    @sends("cancel", "", "_action_client._node", "_action_client._action_name", "_action_client._action_type")
     def cancel_goal_async(self):
         future = Future()
         future._result = unknown("message", "response to a cancel request")

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
+"""websockets.server."""
+
+from websockets import serve

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
+"""websockets.sync.server."""
+
+from websockets import serve
