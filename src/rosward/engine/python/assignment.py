@@ -6,6 +6,8 @@ self.rate = 5        `__setattr__` of the class, else the setter of a property o
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
@@ -27,6 +29,16 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 _OBJECT: Final = Native("builtins.object")
+_NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
+_WHAT_RUNS: Final[Mapping[type, Mapping[str, str]]] = MappingProxyType(
+    {
+        Class: {"__bases__": "a class may be given other bases"},
+        Function: dict.fromkeys(
+            ("__code__", "__defaults__", "__kwdefaults__"), "a function may be given another body or other defaults"
+        ),
+    }
+)
+"""Attributes that decide what runs, which the program sets for itself and which are not followed."""
 
 
 def open_up(machine: Engine, value: Value) -> None:
@@ -42,6 +54,9 @@ def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
     """target.name = value; False where this raises for sure."""
     several = target.__class__ is Choice
     for option in options(target):
+        changing = _WHAT_RUNS.get(option.__class__, _NOTHING).get(name)
+        if changing is not None:
+            machine.report("RW203", changing)
         if option.__class__ is Ref:
             if not _store_object(machine, option, name, value, weak=several):
                 return several
