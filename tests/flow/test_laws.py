@@ -222,6 +222,7 @@ def test_all_that_a_value_leads_to_counts(before: list[Any], mark: Mark) -> None
 further = st.sampled_from(
     [ONE, MANY, ("made", "here"), ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"), ("slot", ONE, "a", "one")]
 )
+ROOTS: tuple[Root, ...] = (ONE, MANY, ("made", "here"), ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"))
 leading = st.builds(Mark, masks, st.frozensets(further))
 acts = st.tuples(
     st.sampled_from(["write", "add", "fork", "other", "join"]), further, keys, leading, st.frozensets(further)
@@ -246,6 +247,37 @@ def test_a_look_that_is_kept_finds_what_a_new_one_finds(several: list[Any]) -> N
         fresh.replay(dict(here.items()), set())
         for each in (looked, frozenset((root,)), mark.roots):
             assert here.deep(Mark(0, each)) == fresh.deep(Mark(0, each))
+
+
+steps = st.tuples(st.sampled_from(["write", "add", "grow", "meet", "fork", "go"]), further, keys, leading)
+
+
+@given(st.lists(steps, max_size=14))
+def test_what_was_met_before_is_met_again_where_it_was_written_since(several: list[Any]) -> None:
+    """Whoever looks at what was written since alone finds what one finds that looks at everything."""
+    beside, state = memory(), 0
+    here, whole = Memory(beside.shape), Memory(beside.shape)
+    kept = here.copy(), whole.copy()
+    for act, root, key, mark in several:
+        if act == "grow":
+            other = Memory(beside.shape)
+            other.write(frozenset((root,)), key, mark)
+            state += beside.join(other)
+        elif act == "meet":
+            here.meet(beside, state)
+            whole.join(beside)
+        elif act == "fork":
+            kept = here.copy(), whole.copy()
+        elif act == "go":
+            (here, whole), kept = kept, (here.copy(), whole.copy())
+        else:
+            for each in (here, whole):
+                if act == "write":
+                    each.write(frozenset((root,)), key, mark)
+                else:
+                    each.write_any([root], mark, mark.mask)
+        for known in ROOTS:
+            assert same(here.of(known), whole.of(known))
 
 
 def test_nothing_stands_where_nothing_was_written() -> None:

@@ -10,7 +10,7 @@ Each source of a process has three bits, from strong to weak. A union is `|`; wh
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Final, final
 
 from rosward.effects.flows import Source
@@ -127,3 +127,20 @@ class Sources:
             if bits:
                 found[0 if bits & 1 else 1 if bits & 2 else 2].add(source)
         return frozenset(found[0]), frozenset(found[1]), frozenset(found[2])
+
+
+def part_of(root: Root, inner: Mapping[int, tuple[int, str]]) -> tuple[Root, object] | None:
+    """The object and the attribute that something is a part of, if it is one; `inner` says so of objects with an address."""
+    if isinstance(root, int):
+        return inner.get(root)
+    return (root[1], root[2]) if root[0] == "of" else None  # type: ignore[return-value]  # a root and a name
+
+
+def behind(root: Root, inner: Mapping[int, tuple[int, str]]) -> Iterator[Root]:
+    """The objects that say what stands in one of which nothing was written itself."""
+    while True:
+        owner = slot_of(root) if is_slot(root) else part_of(root, inner)
+        if owner is None:
+            return
+        root = owner[0]
+        yield root

@@ -14,7 +14,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Final, final
 
 from rosward.flow.content import EMPTY, Content, Layer, TooLongError, both, fewer
-from rosward.flow.marks import NOTHING, Mark, Root, is_slot, slot_of
+from rosward.flow.marks import NOTHING, Mark, Root, behind, is_slot, part_of, slot_of
 from rosward.flow.remembered import Looked
 from rosward.flow.shape import MELTED, Shape
 
@@ -31,7 +31,7 @@ class Memory:
     A copy shares all layers that were written before; joining two looks at those that were written since.
     """
 
-    __slots__ = ("_looked", "_own", "_shared", "log", "shape")
+    __slots__ = ("_looked", "_met", "_own", "_shared", "_since", "log", "shape")
 
     def __init__(self, shape: Shape) -> None:
         self.shape = shape
@@ -39,6 +39,8 @@ class Memory:
         self._own: Layer = {}
         self._shared: tuple[Layer, ...] = ()
         self._looked: dict[frozenset[Root], Looked] = {}  # what still holds
+        self._met = -1  # which state of what stands beside is covered here, but for what was written `_since`
+        self._since: set[Root] = set()
 
     def copy(self) -> Memory:
         """An independent copy."""
@@ -49,6 +51,7 @@ class Memory:
                 self._shared = fewer(self._shared)
         copy = Memory(self.shape)
         copy._shared, copy.log = self._shared, self.log
+        copy._met, copy._since = self._met, self._since.copy()
         copy._looked = self._looked.copy()
         return copy
 
@@ -66,6 +69,8 @@ class Memory:
         if self._looked:
             self._forget_looks(root, content)
         self._own[root] = content
+        if self._met >= 0:
+            self._since.add(root)
         tracker = self.shape.tracker
         if tracker is not None:
             tracker.writes.add(root)
@@ -88,7 +93,6 @@ class Memory:
 
     def join(self, other: Memory) -> bool:
         """Cover another one, too; whether that changed anything."""
-        changed = False
         alike = 0
         for ours, theirs in zip(self._shared, other._shared, strict=False):
             if ours is not theirs:
@@ -96,6 +100,18 @@ class Memory:
             alike += 1
         roots = {r for layer in (*other._shared[alike:], other._own) for r in layer}
         roots.update(r for layer in (*self._shared[alike:], self._own) for r in layer)
+        return self._cover(other, roots)
+
+    def meet(self, beside: Memory, state: int) -> None:
+        """Cover what stands beside, which has a number for each of its states. What covered that state is looked at where it was written since."""
+        if self._met != state:
+            self.join(beside)
+        elif self._since:
+            self._cover(beside, self._since.copy())
+        self._met, self._since = state, set()
+
+    def _cover(self, other: Memory, roots: Iterable[Root]) -> bool:
+        changed = False
         for root in roots:
             mine, their = self.known(root), other.known(root)
             if mine is their:
@@ -132,18 +148,13 @@ class Memory:
             return Content(any=self.at(root))
         found = self.known(root)
         if found is None:
-            owner = self._owner(root)
+            owner = part_of(root, self.shape.inner)
             mask = 0 if owner is None else self.of(owner[0]).read(owner[1]).mask
             found = Content(base=mask) if mask else EMPTY
         tracker = self.shape.tracker
         if tracker is not None:
             tracker.read(root, found)
         return found
-
-    def _owner(self, root: Root) -> tuple[Root, object] | None:
-        if isinstance(root, int):
-            return self.shape.inner.get(root)
-        return (root[1], root[2]) if root[0] == "of" else None  # type: ignore[return-value]  # a root and a name
 
     def at(self, slot: Root) -> Mark:
         """What stands in a slot. Where that is a part of a message, which part it is the message does not say."""
@@ -317,7 +328,7 @@ class Memory:
     def _opened(self, root: Root) -> Content:
         """The content of an object that is about to be written; what it is a part of leads to it."""
         content = self.of(root)
-        owner = self._owner(root)
+        owner = part_of(root, self.shape.inner)
         if owner is not None and not isinstance(root, int) and root not in self.of(owner[0]).any.roots:
             self.write_any([owner[0]], Mark(0, frozenset((root,))))
         return content
@@ -352,7 +363,7 @@ class Memory:
         """All that these lead to."""
         mask = 0
         seen: Layer = {}
-        behind: Layer = {}
+        further: Layer = {}
         work = set(roots)
         known = {id(roots)}
         nodes = self.shape.nodes
@@ -362,8 +373,8 @@ class Memory:
             root = work.pop()
             content = seen[root] = self.of(root)
             if root not in self._own and self.known(root) is None:
-                for each in self._behind(root):
-                    behind[each] = self.of(each)
+                for each in behind(root, self.shape.inner):
+                    further[each] = self.of(each)
             whole = content.whole
             mask |= whole.mask | content.size
             if whole.roots and id(whole.roots) not in known:  # many objects share what they lead to
@@ -371,16 +382,7 @@ class Memory:
                 work |= whole.roots - seen.keys() - nodes
             work.update(r for r in self.shape.held(root) if r not in seen)
         self.shape.spent += len(seen)
-        return Looked(mask, {**behind, **seen}, self.shape.tracker)
-
-    def _behind(self, root: Root) -> Iterator[Root]:
-        """The objects that say what stands in one of which nothing was written itself."""
-        while True:
-            owner = slot_of(root) if is_slot(root) else self._owner(root)
-            if owner is None:
-                return
-            root = owner[0]
-            yield root
+        return Looked(mask, {**further, **seen}, self.shape.tracker)
 
     def reached(self, mark: Mark) -> Iterator[Root]:
         """The objects that a value leads to, but for nodes that it does not lead to at once."""

@@ -214,7 +214,7 @@ class Walker:
         """Callbacks run here: all that they may have written may stand here."""
         if self.shape.tracker is not None:
             self.shape.tracker.beside = True
-        self.memory.join(self.beside)
+        self.memory.meet(self.beside, self._beside)
 
     def leave(self) -> None:
         """What runs has come to its end: others may find what it wrote."""
@@ -265,6 +265,8 @@ class Walker:
         for each in earlier:
             current = not each.tracker.beside or each.beside == self._beside
             if current and each.given == given and self.memory.finds(each.tracker.reads):
+                if each.tracker.beside:  # which it may have covered before it began
+                    self.join_beside()
                 self.memory.replay(each.writes, each.tracker.placed)
                 before_it = self._chain()
                 for (sink, chain), mask in each.tracker.sent.items():
