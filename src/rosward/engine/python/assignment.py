@@ -6,8 +6,6 @@ self.rate = 5        `__setattr__` of the class, else the setter of a property o
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
@@ -29,16 +27,8 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 _OBJECT: Final = Native("builtins.object")
-_NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
-_WHAT_RUNS: Final[Mapping[type, Mapping[str, str]]] = MappingProxyType(
-    {
-        Class: {"__bases__": "a class may be given other bases"},
-        Function: dict.fromkeys(
-            ("__code__", "__defaults__", "__kwdefaults__"), "a function may be given another body or other defaults"
-        ),
-    }
-)
-"""Attributes that decide what runs, which the program sets for itself and which are not followed."""
+_OF_A_FUNCTION: Final = frozenset({"__code__", "__defaults__", "__kwdefaults__"})
+"""What decides what a call runs, and is not followed where the program sets it."""
 
 
 def open_up(machine: Engine, value: Value) -> None:
@@ -54,9 +44,6 @@ def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
     """target.name = value; False where this raises for sure."""
     several = target.__class__ is Choice
     for option in options(target):
-        changing = _WHAT_RUNS.get(option.__class__, _NOTHING).get(name)
-        if changing is not None:
-            machine.report("RW203", changing)
         if option.__class__ is Ref:
             if not _store_object(machine, option, name, value, weak=several):
                 return several
@@ -64,6 +51,8 @@ def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
             address = option.address
             if name == "__init_subclass__":
                 machine.unhooked = None
+            if name == "__bases__" and option.__class__ is Class:
+                machine.report("RW203", "a class may be given other bases")
             if isinstance(option, ModuleValue) and machine.library.is_model_file(option.file):
                 machine.may_call((value,))  # a library may call what the program puts in its place
             record = machine.at(address)
@@ -73,6 +62,8 @@ def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
                 changed.partial = marked(record.partial, name)
             machine.put(address, changed)
         elif option.__class__ is Function:
+            if name in _OF_A_FUNCTION:
+                machine.report("RW203", "a function may be given another body or other defaults")
             address = machine.library.function_address(option)
             record = machine.own(address) or Obj("instance", NONE)
             machine.put(address, record.with_attr(name, value))
@@ -132,9 +123,8 @@ def keep(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool) -> N
     old = obj.attrs.get(name)
     if old is not None and (weak or obj.many):
         value = join(old, value)
-    if (
-        old is not value or name in obj.partial or machine.summaries.epoch
-    ):  # a summary tells by the records what is written
+    # A summary tells by the records what is written, so there what is the same is written, too.
+    if old is not value or name in obj.partial or machine.summaries.epoch:
         one_of_several = weak or obj.many
         absent = marked(obj.partial, name) if old is None and one_of_several else obj.partial
         changed = obj.with_attr(name, value)
