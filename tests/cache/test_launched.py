@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from cache.running import Running
 from rosward import Result, extract
 from rosward.analysis import runner
 from rosward.analysis.outcome import Done, Outset, Task, outcome_of
@@ -24,7 +25,6 @@ from rosward.domain.values import Choice, Const, Hole, Ref, Text, Unknown
 from rosward.effects.configuration import Configuration, Given
 from rosward.effects.entry import Entry
 from rosward.engine.written import NotWrittenError
-from rosward.source.disk import watching
 from rosward.source.location import Place
 
 LAUNCH = """from launch import LaunchDescription
@@ -71,24 +71,6 @@ def folder(tmp_path: Path) -> Path:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(content, encoding="utf-8")
     return tmp_path / "ws"
-
-
-class Running:
-    """Extracts, and tells which processes were run."""
-
-    def __init__(self, store: Store | None, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.store = store
-        self.ran: list[str] = []
-        monkeypatch.setattr("rosward.analysis.runner.outcome_of", self._noted)
-
-    def _noted(self, outset: Outset, task: Task) -> Done:
-        self.ran.append(task.entry.label)
-        return outcome_of(outset, task)
-
-    def __call__(self, *paths: Path, **options: Any) -> Result:
-        self.ran.clear()
-        with watching():
-            return extract(*paths, store=self.store, **options)
 
 
 def same(one: Result, other: Result) -> bool:

@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
+from cache.running import Running
 from rosward import Result, extract
-from rosward.analysis.outcome import Done, Outset, Task, outcome_of
 from rosward.cache.codec import loaded, text
 from rosward.cache.results import _written as written
 from rosward.cache.results import keep_result, kept_result, question_of
@@ -220,31 +220,13 @@ def test_what_the_machine_decides_is_not_kept(tmp_path: Path) -> None:
 # Processes alone
 
 
-class Running:
-    """Extracts with what a store knows of processes, and tells which were run."""
-
-    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.store = Store(str(folder))
-        self.ran: list[str] = []
-        monkeypatch.setattr("rosward.analysis.runner.outcome_of", self._noted)
-
-    def _noted(self, outset: Outset, task: Task) -> Done:
-        self.ran.append(task.entry.label)
-        return outcome_of(outset, task)
-
-    def __call__(self, *paths: Path, **options: Any) -> Result:
-        self.ran.clear()
-        with watching():
-            return extract(*paths, store=self.store, **options)
-
-
 @pytest.mark.parametrize("flow", [False, True])
 @pytest.mark.parametrize("seed", range(5))
 def test_what_is_known_of_processes_is_what_they_would_add(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, seed: int, flow: bool
 ) -> None:
     rng = random.Random(f"processes {seed} {flow}")
-    folder, warm = _write(tmp_path / "ws"), Running(tmp_path / "cache", monkeypatch)
+    folder, warm = _write(tmp_path / "ws"), Running(Store(str(tmp_path / "cache")), monkeypatch)
     budget = Budget(flow=flow)
     for _ in range(12):
         cold = extract(folder, budget=budget)
@@ -256,7 +238,7 @@ def test_what_is_known_of_processes_is_what_they_would_add(
 
 
 def test_only_what_reads_a_changed_file_runs_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    folder, warm = _write(tmp_path / "ws"), Running(tmp_path / "cache", monkeypatch)
+    folder, warm = _write(tmp_path / "ws"), Running(Store(str(tmp_path / "cache")), monkeypatch)
     warm(folder)
     assert warm.ran == ["demo/listener", "demo/talker", "other/pump"]
     for file, more, again in (
@@ -278,7 +260,7 @@ def test_only_what_reads_a_changed_file_runs_again(tmp_path: Path, monkeypatch: 
 
 def test_what_would_now_be_found_runs_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A file that was looked for in vain is there."""
-    folder, warm = _write(tmp_path / "ws"), Running(tmp_path / "cache", monkeypatch)
+    folder, warm = _write(tmp_path / "ws"), Running(Store(str(tmp_path / "cache")), monkeypatch)
     (folder / "src/demo/demo/talker.py").write_text(
         "import rclpy\n\n\ndef main():\n    try:\n        from demo import special\n        name = special.NAME\n"
         "    except ImportError:\n        name = 'usual'\n    rclpy.create_node(name)\n",
@@ -311,7 +293,7 @@ def test_a_question_that_has_no_meaning_is_not_answered(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, question: list[Any]
 ) -> None:
     """Somebody has written the questions of an entry: it is no entry."""
-    folder, warm = _write(tmp_path / "ws"), Running(tmp_path / "cache", monkeypatch)
+    folder, warm = _write(tmp_path / "ws"), Running(Store(str(tmp_path / "cache")), monkeypatch)
     kept = Store.keep
 
     def forged(store: Store, kind: str, asked: bytes, answer: bytes) -> None:
