@@ -58,6 +58,8 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
     place = recalled.place_of(machine, code.key, (function, given), context)
     found = None if place is None else recalled.known(machine, place)
     if found is not None:
+        if machine.watch is not None:
+            machine.watch.recalled(machine, code, context)
         return recalled.repeated(machine, found)
     call = None if place is None else recalled.begun(machine)
     raised, version, provisional = machine.raised, machine.state.version, machine.summaries.provisional

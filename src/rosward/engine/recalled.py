@@ -131,7 +131,6 @@ def place_of(machine: Engine, key: str, given: object, context: int) -> object:
     if (
         not machine.language.recalls
         or not (precision.loops or machine.schedule_book.running)
-        or machine.watch is not None
         or machine.handling
         or machine.making
         or machine.summaries.running

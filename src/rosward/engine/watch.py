@@ -123,6 +123,12 @@ class Watch:
         """What is remembered of a call is its result once more."""
         self.at(machine).note("summaries", self._remembered[key])
 
+    def recalled(self, machine: Engine, code: Code, context: int) -> None:
+        """A call does what it did before in that context: what was seen of it then counts here, too."""
+        seen = self.at(machine)
+        if not any(a.context == context and a.code is code for a in seen.callees):
+            seen.note("summaries", (code.key, context))
+
     def of(self, code: Code, context: int, cells: tuple[int, ...], module: int) -> Activation:
         """The activation of a body in a context, with these variables."""
         known = self.activations.setdefault((code.key, context), [])
