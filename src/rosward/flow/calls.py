@@ -246,7 +246,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     given = run_callees(walker, op, body, seen, pc=pc)
     result = NOTHING if given is None else given
     unknown = False
-    for callee in dict.fromkeys(callees(seen.functions)):
+    for callee in _apart(callees(seen.functions)):
         if isinstance(callee, (Native, External)) or (
             isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
         ):
@@ -272,6 +272,11 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     _register(walker, op, body, seen, marks, pc)
     if any(_spins(f) for f in callees(seen.functions)):
         walker.join_beside()
+
+
+def _apart(several: Iterable[Value]) -> Iterable[Value]:
+    """Of the methods of natives, one for each function: what all of them are bound to is known."""
+    return {c.function if isinstance(c, BoundMethod) else c: c for c in several}.values()
 
 
 def _spins(function: Value) -> bool:

@@ -10,20 +10,14 @@ Reading is in `standing.py`, here is what writes.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from typing import Final, final
+from typing import final
 
 from rosward.flow.content import EMPTY, Content, Layer, both
 from rosward.flow.marks import Mark, Root, is_slot, part_of, slot_of
 from rosward.flow.remembered import Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
-from rosward.flow.store import MELTED
 from rosward.flow.tracker import Keys, Tracker
-
-_APART: Final = frozenset(("made", "tuple", "of", "arrived", "external", MELTED))
-"""What without an address may be one with others."""
-_KINDS: Final = frozenset(("instance", "list", "dict", "set"))
-"""And which objects with one."""
 
 
 @final
@@ -33,13 +27,12 @@ class Memory(Standing):
     A copy shares all that was written before; joining two looks at what differs.
     """
 
-    __slots__ = ("_met", "_since", "log")
+    __slots__ = ("_since", "log")
 
     def __init__(self, shape: Shape) -> None:
         super().__init__(shape)
         self.log: Layer | None = None  # where each write is noted too, for who may come in between
-        self._met = -1  # which state of what stands beside is covered here, but for what was written `_since`
-        self._since: set[int] = set()
+        self._since: set[int] = set()  # what was written since what stands beside was met
 
     def copy(self) -> Memory:
         """An independent copy."""
@@ -50,32 +43,6 @@ class Memory(Standing):
         copy._met, copy._since = self._met, self._since.copy()
         copy._looked = self._looked.copy()
         return copy
-
-    def current(self) -> Memory:
-        """The same, once it has taken in which objects are merged."""
-        if self._fold():
-            self._looked = {}
-            self._met = -1
-        return self
-
-    def merge(self, roots: Iterable[Root]) -> None:
-        """These are not told apart from now on, but for those that have to be."""
-        numbers, shape = self.numbers, self.shape
-        members = [r for r in roots if self._may_merge(r)]
-        if len(set(map(numbers.number, members))) < 2:
-            return
-        numbers.merge(members, frozenset(held for r in members for held in shape.held(r)))
-        addresses = [r for r in members if isinstance(r, int)]
-        shape.many.update(addresses)
-        shape.several.update(addresses)
-        self.current()
-        if shape.tracker is not None:
-            shape.tracker.open = True
-
-    def _may_merge(self, root: Root) -> bool:
-        if isinstance(root, int):
-            return root not in self.shape.nodes and self.shape.kind(root) in _KINDS
-        return root[0] in _APART
 
     def _put(self, root: Root, content: Content, keys: Iterable[object] | None = None) -> None:
         """An object has this content from now on; it differs from what it had under these keys, where they are given."""
@@ -205,7 +172,7 @@ class Memory(Standing):
         """The same under several keys, under some of them only `perhaps`."""
         sure = self.is_one(roots)
         self._keeps(marks.items())
-        for root in roots:
+        for root in self.apart(roots):
             if is_slot(root):
                 for key, mark in marks.items():
                     self._write_slot(root, mark, sure=key is None and len(roots) == 1)
@@ -226,7 +193,7 @@ class Memory(Standing):
     def write_any(self, roots: Iterable[Root], mark: Mark, size: int = 0) -> None:
         """Something is written under a key that is not known, or added."""
         self._keeps((("", mark),))
-        for root in roots:
+        for root in self.apart(roots):
             if is_slot(root):
                 self._write_slot(root, mark)
                 continue

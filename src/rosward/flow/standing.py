@@ -8,28 +8,77 @@ another object (`msg.header`) has the base of that attribute until it is written
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rosward.flow.content import EMPTY, Content, Layer, TooLongError
 from rosward.flow.marks import NOTHING, Mark, Root, behind, is_slot, part_of, slot_of
 from rosward.flow.remembered import Looked
 from rosward.flow.shape import Shape
-from rosward.flow.store import Store
+from rosward.flow.store import MELTED, Store
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
 _MOST_LOOKS: Final = 64
+_FEW: Final = 48
+"""So many objects that a value may be are told apart."""
+_APART: Final = frozenset(("made", "tuple", "of", "arrived", "external", MELTED))
+"""What without an address may be one with others."""
+_KINDS: Final = frozenset(("instance", "list", "dict", "set"))
+"""And which objects with one."""
 
 
 class Standing(Store):
     """The contents of all objects at one point of the program, to read."""
 
-    __slots__ = ("_looked", "shape")
+    __slots__ = ("_looked", "_met", "shape")
 
     def __init__(self, shape: Shape) -> None:
         super().__init__(shape.numbers)
         self.shape = shape
         self._looked: dict[frozenset[Root], Looked] = {}  # what still holds
+        self._met = -1  # which state of what stands beside is covered here
+
+    def apart(self, roots: Iterable[Root]) -> Iterable[Root]:
+        """Of these objects, one for each content; where there are too many, they are one from now on."""
+        if roots.__class__ is not frozenset:
+            roots = frozenset(roots)
+        assert isinstance(roots, frozenset)
+        if len(roots) < 2:
+            return roots
+        found = self.numbers.apart(roots)
+        if len(found) > _FEW:
+            self.merge(found)
+            found = self.numbers.apart(roots)
+        return found
+
+    def current(self) -> Self:
+        """The same, once it has taken in which objects are merged."""
+        if self._fold():
+            self._looked = {}
+            self._met = -1
+        return self
+
+    def merge(self, roots: Iterable[Root]) -> None:
+        """These are not told apart from now on, but for those that have to be."""
+        numbers, shape = self.numbers, self.shape
+        members = [r for r in roots if self._may_merge(r)]
+        if len(set(map(numbers.number, members))) < 2:
+            return
+        numbers.merge(members, frozenset(held for r in members for held in shape.held(r)))
+        addresses = [r for r in members if isinstance(r, int)]
+        shape.many.update(addresses)
+        shape.several.update(addresses)
+        self.current()
+        if shape.tracker is not None:
+            shape.tracker.open = True
+
+    def _may_merge(self, root: Root) -> bool:
+        if isinstance(root, int):
+            return root not in self.shape.nodes and self.shape.kind(root) in _KINDS
+        return root[0] in _APART
 
     def now(self, root: Root) -> Content:
         """The content of an object, about which nobody is told that it was read; of a slot, what stands there."""
@@ -74,21 +123,21 @@ class Standing(Store):
     def read(self, roots: Iterable[Root], key: object) -> Mark:
         """What stands under a key in any of several objects."""
         found = NOTHING
-        for root in roots:
+        for root in self.apart(roots):
             found = found.joined(self.part(root, key).read(key))
         return found
 
     def read_all(self, roots: Iterable[Root]) -> Mark:
         """All that stands in any of several objects."""
         found = NOTHING
-        for root in roots:
+        for root in self.apart(roots):
             found = found.joined(self.of(root).whole)
         return found
 
     def base(self, roots: Iterable[Root]) -> int:
         """What stands in objects that came from outside, as far as one look tells."""
         found = 0
-        for root in roots:
+        for root in self.numbers.apart(frozenset(roots)):
             content = self.known(root)
             if content is not None:
                 found |= content.base
@@ -97,7 +146,7 @@ class Standing(Store):
     def size(self, roots: Iterable[Root]) -> int:
         """What the number of elements depends on; of a set, on which of them are equal."""
         found = 0
-        for root in roots:
+        for root in self.apart(roots):
             content = self.of(root)
             found |= content.size | content.base
             if isinstance(root, int) and self.shape.kind(root) == "set":
@@ -112,7 +161,7 @@ class Standing(Store):
     def near(self, mark: Mark) -> int:
         """What a value depends on, with what stands in it, as far as one look tells."""
         found = mark.mask
-        for root in mark.roots:
+        for root in self.apart(mark.roots):
             content = self.of(root)
             found |= content.size | content.whole.mask
         return found

@@ -34,7 +34,7 @@ MELTED: Final = "melted"
 class Numbers:
     """The numbers of the objects of one walk."""
 
-    __slots__ = ("_canonical", "_covered", "held", "led", "merged", "merges", "of", "roots")
+    __slots__ = ("_apart", "_canonical", "_covered", "held", "led", "merged", "merges", "of", "roots")
 
     def __init__(self) -> None:
         self.of: dict[Root, int] = {}
@@ -44,6 +44,7 @@ class Numbers:
         self.merges: list[tuple[int, tuple[int, ...]]] = []  # each with the numbers that it took the place of
         self.held: set[Root] = set()  # what was ever written into an object
         self._covered: dict[tuple[int, int], tuple[Content, Content]] = {}
+        self._apart: dict[frozenset[Root], frozenset[Root]] = {}
         self._canonical: dict[frozenset[Root], frozenset[Root]] = {}
 
     def number(self, root: Root) -> int:
@@ -69,6 +70,7 @@ class Numbers:
         for root in several:
             self.of[root] = new
         self.merged[new] = several
+        self._apart.clear()
         self._canonical.clear()
         self.led[new] = self.canonical(led)
         self.merges.append((new, tuple(taken)))
@@ -83,6 +85,22 @@ class Numbers:
             apart = [r for r in roots if of.get(r) in merged and not name_of(r)]
             found = roots.difference(apart).union(self.roots[of[r]] for r in apart) if apart else roots
             self._canonical[roots] = found
+        return found
+
+    def apart(self, roots: frozenset[Root]) -> frozenset[Root]:
+        """Of these, one for each content that they have."""
+        if not self.merged:
+            return roots
+        found = self._apart.get(roots)
+        if found is None:
+            of, merged = self.of, self.merged
+            one: dict[object, Root] = {}
+            for root in roots:
+                number = of.get(root)
+                here = number if number in merged else root
+                if here not in one or isinstance(root, int):
+                    one[here] = root
+            found = self._apart[roots] = roots if len(one) == len(roots) else frozenset(one.values())
         return found
 
     def melted(self, content: Content) -> Content:

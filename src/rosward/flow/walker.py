@@ -90,10 +90,11 @@ class Walker:
         self.threaded = False  # whether something runs beside this
         self.narrowed: list[str] = []  # the names of parameters that the branches around are about
         self._most = most
+        self.together = _size(watch) > _LARGE  # calls of one body are not told apart by what was seen in each
         self._beside = 0  # how often `beside` became more
         self._remembered: dict[Activation, list[Remembered]] = {}
         self._bodies: dict[Seen, dict[str, list[Activation]]] = {}
-        self._generators: dict[str, Activation] = {}
+        self._wholes: dict[str, Activation] = {}
 
     def run(self, block: ops.Block, body: Body) -> bool:
         """Walk through a block; False where control does not come out at its end."""
@@ -146,7 +147,7 @@ class Walker:
                 known[number] = known[number].joined(attempt.body.registers[number])
 
     def bodies_of(self, seen: Seen) -> dict[str, list[Activation]]:
-        """The bodies that an operation runs, by their keys. Of many activations of one, all that was seen of it is taken together."""
+        """The bodies that an operation runs, by their keys. Of many activations of one, or in a large process, all that was seen of it is taken together."""
         found = self._bodies.get(seen)
         if found is None:
             found = {}
@@ -154,7 +155,9 @@ class Walker:
             for activation in dict.fromkeys((*seen.callees, *further)):
                 found.setdefault(activation.code.key, []).append(activation)
             for key, several in found.items():
-                if len(several) > _FEW:
+                if self.together and several[0].code.language != CPP:
+                    found[key] = [self._whole(key, several[0])]
+                elif len(several) > _FEW:
                     found[key] = [_merged(several)]
             self._bodies[seen] = found
         return found
@@ -308,8 +311,7 @@ class Walker:
         """Through a body."""
         known = self.arguments[activation]
         code = activation.code
-        recursive = activation in self.results and len(self.bodies) > _DEEP
-        given = known if recursive else arguments
+        given = known if activation in self.recursive or len(self.bodies) > _DEEP else arguments
         body = Body(activation, [*given, *[NOTHING] * (code.registers - len(given))], pc)
         own = activation.cells[: len(code.cells)] if code.language == CPP else ()
         if own and any(b.activation is activation for b in self.bodies):
@@ -347,10 +349,10 @@ class Walker:
         return self.memory.of(("generator", key)).any.under(pc).joined(returned)
 
     def _whole(self, key: str, activation: Activation) -> Activation:
-        """All that was seen of a generator: each time it goes on, another part of it runs."""
-        found = self._generators.get(key)
+        """All that was seen of a body. Of a generator, another part of it runs each time it goes on."""
+        found = self._wholes.get(key)
         if found is None:
-            found = self._generators[key] = _merged(self.watch.bodies.get(key, [activation]))
+            found = self._wholes[key] = _merged(self.watch.bodies.get(key, [activation]))
         return found
 
 
@@ -364,10 +366,17 @@ def _merged(several: list[Activation]) -> Activation:
     return found
 
 
+def _size(watch: Watch) -> int:
+    """So many operations were seen, each as often as it was told apart."""
+    return sum(len(a.seen) for several in watch.activations.values() for a in several)
+
+
 _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))
 """What may be the first to meet a source."""
 _CALM: Final = 50_000
 """After so much, functions of libraries that only compute are taken as a whole."""
+_LARGE: Final = 6_000
+"""In a process with more operations, calls of one body in several contexts are walked through as one."""
 _FEW: Final = 8
 """So many activations of a body are walked through one by one for one operation."""
 _DEEP: Final = 40
