@@ -30,6 +30,7 @@ from rosward.source.workspace import Package, SourceFile, Workspace
 
 if TYPE_CHECKING:
     from rosward.analysis.compiled import Compiled
+    from rosward.analysis.linked_functions import LinkedFunction
     from rosward.analysis.summaries import Summaries
     from rosward.frontends.cpp.symbols import CppSymbols
 
@@ -124,8 +125,10 @@ class SourceTree:
         summary = self._summarised.get(module)
         return main_calls(module) if summary is None else summary.main_calls
 
-    def keep_summaries(self, facts: LibraryFacts) -> None:
-        """Keep what the next run needs of each file that does not change; to be called when all is done."""
+    def keep(self, facts: LibraryFacts) -> None:
+        """Keep what the next run needs of each file and program that does not change; to be called when all is done."""
+        if self._compiled is not None:
+            self._compiled.keep()
         if self._summaries is not None:
             self._summaries.keep(self._lowered, self.python_files, facts)
 
@@ -142,6 +145,20 @@ class SourceTree:
     def program(self, name: str) -> CppSymbols | None:
         """The names of a program in C++."""
         return None if self._compiled is None else self._compiled.program(name)
+
+    def program_digest(self, name: str) -> str:
+        """What tells a program in C++ from any other; '' where there is none."""
+        return "" if self._compiled is None else self._compiled.digest(name)
+
+    def creating_functions(
+        self, creating: frozenset[str], name: str, wanted: Callable[[str], bool]
+    ) -> Mapping[str, Sequence[LinkedFunction]]:
+        """The functions of a program in C++ that would create an entity, by file: of those of its files that are wanted."""
+        return {} if self._compiled is None else self._compiled.creating_functions(name, creating, wanted)
+
+    def component_places(self, name: str) -> Sequence[Place]:
+        """Where the class is declared of which a program in C++ makes a component."""
+        return () if self._compiled is None else self._compiled.component_places(name)
 
     def plugin(self, name: str) -> Entry | None:
         """How a class in C++ starts that is loaded by its name."""

@@ -63,6 +63,8 @@ class Memory:
         self.touched: set[str] = set()
         self.used: set[Hashable] = set()
         self._read: set[str] = set()
+        self.programs: object = None
+        """What is known of the programs in C++, for whoever links them."""
         self.ran = 0
         """How many processes were run."""
 
@@ -142,8 +144,7 @@ def ask(sources: Sources, question: Question) -> object:
     if name == "module":
         return "" if str(rest[0]).startswith(MODEL_PREFIX) else sources.content(str(rest[0]))
     if name == "program":
-        found = sources.program(str(rest[0]))
-        return "" if found is None else found.digest
+        return sources.program_digest(str(rest[0]))
     if name == "interface_definition":
         of_name = message_name(str(rest[0])) if len(rest) == 1 else None
         return sources.interface_definition(*(given if len(given) > 1 else of_name or ("", "msg", "", "")))
