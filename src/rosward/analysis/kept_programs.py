@@ -56,9 +56,7 @@ class KeptProgram(NamedTuple):
         """The same with what another time was asked of it."""
         if other is None or other.digest != self.digest:
             return self
-        functions = {
-            file: other.functions.get(file) if mine is None else mine for file, mine in self.functions.items()
-        }
+        functions = {file: other.functions.get(file) if mine is None else mine for file, mine in self.functions.items()}
         return self._replace(functions=functions, places=other.places if self.places is None else self.places)
 
 
