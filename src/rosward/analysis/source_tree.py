@@ -27,6 +27,7 @@ from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
 from rosward.source.text import decode, place_name, read_bytes
 from rosward.source.workspace import Package, SourceFile, Workspace
+from rosward.source.yaml_documents import YamlDocuments
 
 if TYPE_CHECKING:
     from rosward.analysis.compiled import Compiled
@@ -58,6 +59,8 @@ class SourceTree:
         self.findings = Findings() if compiled is None else compiled.findings
         self._net = net
         self._memory = memory_here()
+        self.documents = YamlDocuments() if self._memory is None else self._memory.documents
+        """The YAML files that were read for what launch files start."""
         self.python_files: dict[str, int] = {}
         """The Python files that were read, and how many lines each has."""
         self._resolver = ImportResolver(workspace)

@@ -23,6 +23,7 @@ from rosward.ir.program import MODEL_PREFIX
 from rosward.models.ros.interfaces import message_name
 from rosward.records import NamedTuple
 from rosward.rules import INTERNAL_ERROR, KILLED, TIME_LIMIT
+from rosward.source.yaml_documents import YamlDocuments
 
 if TYPE_CHECKING:
     from rosward.engine.found import Sources
@@ -63,6 +64,7 @@ class Memory:
         self.touched: set[str] = set()
         self.used: set[Hashable] = set()
         self._read: set[str] = set()
+        self.documents = YamlDocuments()
         self.programs: object = None
         """What is known of the programs in C++, for whoever links them."""
         self.ran = 0
