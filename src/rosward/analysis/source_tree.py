@@ -121,7 +121,11 @@ class SourceTree:
     def created(self, module: Module, facts: LibraryFacts) -> Iterable[Creation]:
         """What in a module would create an entity."""
         summary = self._summarised.get(module)
-        return creations_of(module, facts) if summary is None else summary.created
+        if summary is not None:
+            return summary.created
+        if self._memory is not None:
+            return self._memory.derived(module, facts, lambda: tuple(creations_of(module, facts)))
+        return creations_of(module, facts)
 
     def main_calls(self, module: Module) -> Set[str]:
         """See `summary.main_calls`."""
