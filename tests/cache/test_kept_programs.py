@@ -132,8 +132,8 @@ def test_which_plugins_there_are_is_asked_again(folder: Path, linked: list[str],
 @pytest.mark.parametrize(
     "forged",
     [
-        lambda answer: b"",
-        lambda answer: b"nonsense",
+        lambda _: b"",
+        lambda _: b"nonsense",
         lambda answer: answer.partition(b"\n")[0] + b"\n[]",
         lambda answer: answer.partition(b"\n")[0] + b"\n[[1,{},{}],{}]",
         lambda answer: b"0" * 40 + b"\n" + answer.partition(b"\n")[2],

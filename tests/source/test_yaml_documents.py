@@ -7,14 +7,19 @@ import pytest
 
 from rosward.source import yaml_documents
 from rosward.source.yaml_documents import YamlDocuments
-from rosward.source.yaml_nodes import Malformed, read_yaml
+from rosward.source.yaml_nodes import Item, Malformed, read_yaml
 
 
 @pytest.fixture
 def reads(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """What was read so far."""
     found: list[str] = []
-    monkeypatch.setattr(yaml_documents, "read_yaml", lambda text, file: found.append(text) or read_yaml(text, file))
+
+    def noted(text: str, file: str) -> Item:
+        found.append(text)
+        return read_yaml(text, file)
+
+    monkeypatch.setattr(yaml_documents, "read_yaml", noted)
     return found
 
 
