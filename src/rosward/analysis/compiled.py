@@ -36,6 +36,8 @@ from rosward.source.text import place_name
 from rosward.source.workspace import Package, SourceFile, Workspace
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from rosward.analysis.kept_programs import Keeper
     from rosward.frontends.cpp.symbols import CppSymbols
     from rosward.ros.distro import Distro
@@ -326,10 +328,14 @@ class Compiled:
     def _alone(self, files: Sequence[SourceFile], builds: Builds, ros: RosHeaders) -> Iterator[Planned]:
         """Sources with `main` that no build is known for, each with the sources beside it that have none."""
         texts = {file: self._headers.read(os.fspath(file.path)) for file in files}
-        starts = [f for f, text in texts.items() if isinstance(text, str) and _MAIN.search(text)]
+        starts = {f: None for f, text in texts.items() if isinstance(text, str) and _MAIN.search(text)}
+        others: dict[Path, list[SourceFile]] = {}
+        for file in files:
+            if file not in starts:
+                others.setdefault(file.path.parent, []).append(file)
         labels: dict[str, int] = {}
         for file in starts:
-            beside = [f for f in files if f not in starts and f.path.parent == file.path.parent]
+            beside = others.get(file.path.parent, ())
             includes = tuple(_include_folders(file, self._workspace))
             units = tuple(builds.alone(os.fspath(f.path), includes) for f in (file, *beside))
             label = f"{file.package.name}/{file.path.stem}" if file.package is not None else file.relative
