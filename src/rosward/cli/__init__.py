@@ -7,6 +7,7 @@ What a command has said before is said again (`replayed.py`) where nothing has c
 
 from __future__ import annotations
 
+import gc
 import io
 import os
 import sys
@@ -23,9 +24,13 @@ __all__ = ["main", "program"]
 _REPLAYED: Final = frozenset({"extract", "check"})
 """The commands that look at nothing but the disk, and whose files are all written by `outputs/whole_files.py`."""
 
+_OBJECTS: Final = 50_000
+"""New objects between two looks for circles: most of what a command makes lives to its end, and to look through it takes a while."""
+
 
 def program() -> None:
     """The command as a process. At its end nothing is taken apart: the system frees it faster."""
+    gc.set_threshold(_OBJECTS, *gc.get_threshold()[1:])
     status = main()
     try:
         sys.stdout.flush()
