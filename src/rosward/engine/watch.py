@@ -8,7 +8,7 @@ The interpreter does not know of it, but for what runs no operation: results tha
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final, final
 
@@ -17,7 +17,7 @@ from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
 from rosward.engine.registered import Registered, period_of
-from rosward.engine.seen import Activation, Bound, Called, Given, Handed, Seen, places_of, refs_of
+from rosward.engine.seen import SILENT, Activation, Bound, Called, Given, Handed, Seen, places_of, refs_of
 from rosward.ir import cpp, ops
 from rosward.ir.program import CPP
 from rosward.ir.registers import reads, writes
@@ -56,6 +56,8 @@ class Watch:
         self.begun: dict[Activation, None] = {}  # those that nothing called: the main body
         self.entries: dict[Scheduled, Registered] = {}
         self._remembered: dict[object, tuple[str, int]] = {}
+        self._reads: dict[ops.Op, tuple[int, ...]] = {}  # the operands of each
+        self._keys: dict[ops.Op, tuple[int, ...]] = {}  # those that may name a slot
         self._running: list[tuple[Frame, Seen, tuple[int, ...]]] = []  # the operations of C++, with what they read
 
     def close(self) -> None:
@@ -94,9 +96,10 @@ class Watch:
     def _of(self, machine: Engine, depth: int) -> Seen:
         """That of what runs in a frame."""
         frame = machine.frames[depth]
-        for running, seen, _ in reversed(self._running):
-            if running is frame:
-                return seen
+        if self._running:
+            for running, seen, _ in reversed(self._running):
+                if running is frame:
+                    return seen
         return self._activation(machine, frame, depth).of(frame.op.number)
 
     def schedule(self, machine: Engine, entry: Scheduled) -> None:
@@ -166,15 +169,26 @@ class Watch:
             return
         frame = machine.frames[-1]
         registers = frame.registers
-        operands = [(r, registers[r]) for r in dict.fromkeys(reads(frame.op))] if registers else []
+        operands = [(r, registers[r]) for r in self._read_by(frame.op)] if registers else []
+        values = (*args, *keywords.values()) if keywords else args
+        where = tuple([tuple([r for r, v in operands if v is value]) for value in values])
+        what = tuple(map(_refs_in, values))
+        key = (function.code.key, function.cells, where, what, *keywords)
+        seen = self.at(machine)
+        if key not in seen.calls:
+            given = [Handed(frozenset(r), refs) for r, refs in zip(where, what, strict=True)]
+            named = tuple(zip(keywords, given[len(args) :], strict=True))
+            seen.note("calls", key, Called(function, tuple(given[: len(args)]), named))
 
-        def handed(value: Value) -> Handed:
-            return Handed(frozenset(r for r, v in operands if v is value), frozenset(refs_of(value)))
-
-        given = tuple(map(handed, args))
-        named = tuple((name, handed(value)) for name, value in keywords.items())
-        key = (function.code.key, function.cells, given, named)
-        self.at(machine).note("calls", key, Called(function, given, named))
+    def _read_by(self, op: ops.Op) -> tuple[int, ...]:
+        """The operands of an operation, each once."""
+        found = self._reads.get(op)
+        if found is None:
+            registers = (
+                (a.register for m in op.members for a in m.arguments) if isinstance(op, cpp.Initialise) else reads(op)
+            )
+            found = self._reads[op] = tuple(dict.fromkeys(registers))
+        return found
 
     def swallows(self, machine: Engine) -> None:
         """The `with` that is running may swallow an exception."""
@@ -235,9 +249,7 @@ class Watch:
         def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
             seen = activation.seen.get(op.number) or activation.of(op.number)
-            operands = seen.reads
-            if operands is None:
-                operands = seen.reads = tuple(reads(op)) if cls is not cpp.Initialise else _of_members(op)
+            operands = self._reads.get(op) or self._read_by(op)
             if celled:
                 seen.hold("cells", (frame.cells[op.cell],))
             if cls in _KEYED_CPP:
@@ -254,90 +266,86 @@ class Watch:
             if structured:
                 seen.alive = seen.alive or result is not False
             elif result is not False:
+                seen.alive = True
                 registers = frame.registers
-                seen.give(tuple([registers[r] for r in writes(op)]), places_of)
+                written = [registers[r] for r in writes(op)]
+                if len(written) > 1:
+                    seen.give_several(written, places_of)
+                elif written and written[0] is not seen.gave:
+                    seen.give(written[0], places_of)
             return result
 
         return noting
 
     def _noting(self, cls: type[ops.Op], handler: Handler) -> Handler:
-        """The handler of a kind of operation, noting what it gives."""
-        if cls is ops.Call:
-            return self._noting_call(handler)
-        if cls in (ops.LoadCell, ops.StoreCell):
-            return self._noting_cell(cls, handler)
-        if cls in _STRUCTURED:
+        """The handler of a kind of operation, noting what it finds and what it gives."""
+        before = self._before(cls)
+        several = cls is ops.Unpack
+        single = hasattr(cls, "dst") and cls not in _UNSEEN
 
-            def structured(machine: Engine, op: Any, frame: Frame) -> bool | None:
-                activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-                seen = activation.of(op.number)
-                result = handler(machine, op, frame)
-                seen.alive = seen.alive or result is not False
-                return result
-
-            return structured
-
-        keyed = cls in _KEYED
-        given, single = cls not in _UNSEEN, cls not in _SEVERAL and "dst" in cls.__slots__
-
-        def straight(machine: Engine, op: Any, frame: Frame) -> bool | None:
+        def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
             seen = activation.seen.get(op.number) or activation.of(op.number)
-            if keyed:
-                operands = seen.reads
-                if operands is None:
-                    operands = seen.reads = tuple(reads(op))
-                for register in operands:
-                    seen.key(register, frame.registers[register])
+            if before is not None:
+                before(seen, op, frame)
             result = handler(machine, op, frame)
             if result is not False:
-                if single and given:
+                seen.alive = True
+                if single:
                     value = frame.registers[op.dst]
                     if value is not seen.gave:
-                        seen.gave = value
-                        seen.give((value,))
-                elif given:
-                    registers = frame.registers
-                    seen.give(tuple([registers[r] for r in writes(op)]))
-                seen.alive = True
+                        seen.give(value)
+                elif several:
+                    seen.give_several([frame.registers[r] for r in op.dsts])
             return result
 
-        return straight
+        return noting
 
-    def _noting_call(self, handler: Handler) -> Handler:
-        def call(machine: Engine, op: ops.Call, frame: Frame) -> bool | None:
-            activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-            seen = activation.seen.get(op.number) or activation.of(op.number)
-            function = frame.registers[op.func]
-            for argument in op.arguments[:2]:
-                seen.key(argument.register, frame.registers[argument.register])
-            if function not in seen.functions:
-                seen.note("functions", function)
-                seen.several = seen.several or len([o for o in options(function) if o != NONE]) > 1
-            result = handler(machine, op, frame)
-            if result is not False:
-                seen.give((frame.registers[op.dst],))
-            return result
+    def _before(self, cls: type[ops.Op]) -> Callable[[Seen, Any, Frame], None] | None:
+        """What is noted of an operation before it runs."""
+        if cls is ops.Call:
+            return _find_function
+        if cls in _CELLED:
+            return _find_cell
+        return self._find_keys if cls in _KEYED else None
 
-        return call
+    def _find_keys(self, seen: Seen, op: ops.Op, frame: Frame) -> None:
+        keys = self._keys.get(op)
+        if keys is None:
+            keys = self._keys[op] = _keys_of(op)
+        for register in keys:
+            seen.key(register, frame.registers[register])
 
-    def _noting_cell(self, cls: type[ops.Op], handler: Handler) -> Handler:
-        def cell(machine: Engine, op: Any, frame: Frame) -> bool | None:
-            activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-            seen = activation.of(op.number)
-            seen.hold("cells", (frame.cells[op.cell],))
-            result = handler(machine, op, frame)
-            seen.give((frame.registers[op.dst],) if cls is ops.LoadCell else ())
-            return result
 
-        return cell
+def _find_function(seen: Seen, op: ops.Call, frame: Frame) -> None:
+    registers = frame.registers
+    for argument in op.arguments[:2]:
+        seen.key(argument.register, registers[argument.register])
+    function = registers[op.func]
+    if function not in seen.functions:
+        seen.note("functions", function)
+        seen.several = seen.several or len([o for o in options(function) if o != NONE]) > 1
+
+
+def _find_cell(seen: Seen, op: Any, frame: Frame) -> None:
+    seen.hold("cells", (frame.cells[op.cell],))
+
+
+def _keys_of(op: ops.Op) -> tuple[int, ...]:
+    """The operands that may name a slot."""
+    if isinstance(op, (ops.LoadItem, ops.StoreItem)):
+        return (op.index,)
+    if isinstance(op, ops.Compare):
+        return (op.left, op.right) if op.operator == "==" else ()
+    if isinstance(op, ops.Build):
+        return tuple([r for _, r in op.items]) if op.kind == "dict" else ()
+    return tuple(reads(op))
 
 
 _KEYED: Final = frozenset({ops.Compare, ops.LoadItem, ops.StoreItem, ops.Build, ops.Intrinsic})
 """Operations of which an operand may name a slot."""
 _UNSEEN: Final = frozenset({ops.Const, ops.Move, ops.Assume})
 """Operations of which nobody asks what they gave."""
-_SEVERAL: Final = frozenset({ops.Unpack})
 _STRUCTURED: Final = frozenset(
     {ops.If, ops.While, ops.ForEach, ops.Try, ops.With, ops.Return, ops.Break, ops.Continue, ops.Raise}
 )
@@ -354,9 +362,14 @@ def _standing(machine: Engine, value: Value) -> Value:
     return value if cell is None else cell.attrs.get("value", value)
 
 
-def _of_members(op: cpp.Initialise) -> tuple[int, ...]:
-    """The registers with the arguments of bases and fields."""
-    return tuple(dict.fromkeys(a.register for m in op.members for a in m.arguments))
+_NO_REFS: Final = frozenset[int]()
+
+
+def _refs_in(value: Value) -> frozenset[int]:
+    """The objects that a value is or holds."""
+    if value.__class__ is Ref:
+        return frozenset((value.address,))
+    return _NO_REFS if value.__class__ in SILENT else frozenset(refs_of(value))
 
 
 def _width(signature: Signature) -> int:
