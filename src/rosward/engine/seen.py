@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Final, final
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Slice, Tuple
 from rosward.domain.slots import Pointer, Slot
-from rosward.domain.values import UNBOUND, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
+from rosward.domain.values import Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -183,7 +183,7 @@ class Seen:
             setattr(self, name, several)
 
     def _say(self, name: str, found: Collection[object]) -> None:
-        """These reasons, or origins, are said of its results. Most operations give values of the same ones each time: they have those of the value."""
+        """These reasons, or origins, are said of its results. Where they are always the same, they are not copied."""
         known = getattr(self, name)
         if not known:
             setattr(self, name, found)
@@ -218,16 +218,13 @@ class Seen:
 
     def key(self, register: int, value: Value) -> None:
         """The operation finds a value in a register that may name a slot: what it is, where it is always the same constant."""
-        known = self.keys.get(register, UNBOUND)
-        if known is None:
-            return
-        found = (
-            value if value.__class__ is Const and (not value.origins or all(o.settled for o in value.origins)) else None
-        )
-        if known is UNBOUND:
-            self.note("keys", register, found)
-        elif known != found:
-            self.keys[register] = None
+        keys = self.keys
+        if keys is _NO_DICT:
+            keys = self.keys = {}
+        known = keys.get(register, value)
+        if known is not None:
+            settled = value.__class__ is Const and (not value.origins or all(o.settled for o in value.origins))
+            keys[register] = value if settled and known == value else None
 
     def constant(self, register: int) -> object:
         """The constant that a register always holds here; None where it does not."""
@@ -235,56 +232,62 @@ class Seen:
         return found.value if isinstance(found, Const) else None
 
     def give(self, value: Value, places: Places = refs_of) -> None:
-        """The operation gave this value. Most are of one kind that says one thing, or are what it gave before, made anew."""
+        """The operation gave this value. Often it is the one that it gave before, or the same made anew."""
         before, self.gave = self.gave, value
-        kind = value.__class__
-        if kind is Ref:
-            if value.address not in self.refs:
-                self.hold("refs", (value.address,))
-        elif kind is Unknown:
-            self._give_unknown(value)
-        elif kind is Const:
-            if value.origins:
-                self._say("origins", value.origins)
-        elif kind not in SILENT and value != before:
-            self._give_any(value, places)
+        if value is before or (value.__class__ in _COMPARED and value == before):
+            return
+        for option in options(value):
+            self._give(option, places)
+        if value.__class__ is Text:
+            self._say("reasons", reasons_of(value))
 
     def give_several(self, values: Iterable[Value], places: Places = refs_of) -> None:
         """The operation gave these values, each its own result."""
         for number, value in enumerate(values):
             self._part(number, places(value))
-            self._give_any(value, places)
+            self.give(value, places)
 
-    def _give_any(self, value: Value, places: Places) -> None:
-        for option in options(value):
-            if option.__class__ is Const or option.__class__ is Text:
-                if option.origins:
-                    self._say("origins", option.origins)
-            elif option.__class__ is Unknown:
-                self._give_unknown(option)
-            elif option.__class__ is External:
-                self.note("externals", option.name)
-        if value.__class__ is Text:
-            self._say("reasons", reasons_of(value))
-        self.hold("refs", places(value))
-
-    def _give_unknown(self, value: Unknown) -> None:
-        if value.hint not in _UNCHANGING:
-            self.opaque = True
-        if value.reasons != self.reasons:
-            self._say("reasons", value.reasons)
+    def _give(self, value: Value, places: Places) -> None:
+        """One of the alternatives. Most say one thing."""
+        kind = value.__class__
+        if kind is Ref:
+            if self.refs is _NO_SET:
+                self.refs = {value.address}
+            else:
+                self.refs.add(value.address)
+        elif kind is Unknown:
+            if value.hint not in _UNCHANGING:
+                self.opaque = True
+            if value.reasons != self.reasons:
+                self._say("reasons", value.reasons)
+        elif kind is Const or kind is Text:
+            if value.origins:
+                self._say("origins", value.origins)
+        elif kind is External:
+            self.note("externals", value.name)
+        elif kind not in SILENT:
+            self.hold("refs", places(value))
 
 
 _UNCHANGING: Final = frozenset(("str", "int", "float", "bool", "bytes", "complex", "NoneType"))
 """Types whose objects never change."""
-SILENT: Final = frozenset((BoundMethod, Const, Function, ModuleValue, Native, Range, Slice, Unknown))
-"""Values that are no object and hold none: what a method is bound to is not what it is."""
+SILENT: Final = frozenset((BoundMethod, Function, ModuleValue, Native, Range, Slice))
+"""Values of which nothing is noted: they are no object, and hold none as a part."""
+_COMPARED: Final = frozenset((Choice, Tuple))
+"""Values that are compared more quickly than looked through."""
 _SETS: Final = ("refs", "cells", "wrote")
 _SAID: Final = ("reasons", "origins")
 _GATHERED: Final = (
     *("effects", "externals", "scheduled", "functions", "calls", "callees", "summaries"),
     *("bound", "made", "natives", "strange"),
 )
+
+
+REACHED: Final = Seen()
+"""Of all operations of which nothing more is seen than that they ran."""
+ALIVE: Final = Seen()
+"""The same of those behind which control came out."""
+ALIVE.alive = True
 
 
 @final
@@ -302,10 +305,13 @@ class Activation:
         self.begun: list[set[Place]] = []  # where its parameters lead, of a body in C++
 
     def of(self, number: int) -> Seen:
-        """That of an operation, by its number; made where it is the first time."""
+        """That of an operation, by its number, to note something of it."""
         found = self.seen.get(number)
-        if found is None:
+        if found is None or found is REACHED:
             found = self.seen[number] = Seen()
+        elif found is ALIVE:
+            found = self.seen[number] = Seen()
+            found.alive = True
         return found
 
     def __repr__(self) -> str:

@@ -15,9 +15,21 @@ from typing import TYPE_CHECKING, Any, Final, final
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
-from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Unknown, Value
 from rosward.engine.registered import Registered, period_of
-from rosward.engine.seen import SILENT, Activation, Bound, Called, Given, Handed, Seen, places_of, refs_of
+from rosward.engine.seen import (
+    ALIVE,
+    REACHED,
+    SILENT,
+    Activation,
+    Bound,
+    Called,
+    Given,
+    Handed,
+    Seen,
+    places_of,
+    refs_of,
+)
 from rosward.ir import cpp, ops
 from rosward.ir.program import CPP
 from rosward.ir.registers import reads, writes
@@ -169,9 +181,12 @@ class Watch:
             return
         frame = machine.frames[-1]
         registers = frame.registers
-        operands = [(r, registers[r]) for r in self._read_by(frame.op)] if registers else []
+        standing: dict[int, tuple[int, ...]] = {}  # by the identity of the value
+        for register in self._read_by(frame.op) if registers else ():
+            value = id(registers[register])
+            standing[value] = (*standing[value], register) if value in standing else (register,)
         values = (*args, *keywords.values()) if keywords else args
-        where = tuple([tuple([r for r, v in operands if v is value]) for value in values])
+        where = tuple([standing.get(id(value), ()) for value in values])
         what = tuple(map(_refs_in, values))
         key = (function.code.key, function.cells, where, what, *keywords)
         seen = self.at(machine)
@@ -248,7 +263,7 @@ class Watch:
 
         def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-            seen = activation.seen.get(op.number) or activation.of(op.number)
+            seen = activation.of(op.number)
             operands = self._reads.get(op) or self._read_by(op)
             if celled:
                 seen.hold("cells", (frame.cells[op.cell],))
@@ -271,32 +286,38 @@ class Watch:
                 written = [registers[r] for r in writes(op)]
                 if len(written) > 1:
                     seen.give_several(written, places_of)
-                elif written and written[0] is not seen.gave:
+                elif written:
                     seen.give(written[0], places_of)
             return result
 
         return noting
 
     def _noting(self, cls: type[ops.Op], handler: Handler) -> Handler:
-        """The handler of a kind of operation, noting what it finds and what it gives."""
+        """The handler of a kind of operation, noting what it finds and what it gives. Of most there is nothing but the way of control."""
         before = self._before(cls)
         several = cls is ops.Unpack
         single = hasattr(cls, "dst") and cls not in _UNSEEN
 
         def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-            seen = activation.seen.get(op.number) or activation.of(op.number)
+            known, number = activation.seen, op.number
             if before is not None:
-                before(seen, op, frame)
+                before(activation.of(number), op, frame)
+            elif number not in known:
+                known[number] = REACHED
             result = handler(machine, op, frame)
             if result is not False:
-                seen.alive = True
                 if single:
                     value = frame.registers[op.dst]
-                    if value is not seen.gave:
-                        seen.give(value)
+                    if value.__class__ not in SILENT and (value.__class__ is not Const or value.origins):
+                        activation.of(number).give(value)
                 elif several:
-                    seen.give_several([frame.registers[r] for r in op.dsts])
+                    activation.of(number).give_several([frame.registers[r] for r in op.dsts])
+                seen = known[number]
+                if seen is REACHED:
+                    known[number] = ALIVE
+                else:
+                    seen.alive = True
             return result
 
         return noting
@@ -367,9 +388,10 @@ _NO_REFS: Final = frozenset[int]()
 
 def _refs_in(value: Value) -> frozenset[int]:
     """The objects that a value is or holds."""
-    if value.__class__ is Ref:
+    kind = value.__class__
+    if kind is Ref:
         return frozenset((value.address,))
-    return _NO_REFS if value.__class__ in SILENT else frozenset(refs_of(value))
+    return _NO_REFS if kind is Const or kind is Unknown or kind in SILENT else frozenset(refs_of(value))
 
 
 def _width(signature: Signature) -> int:
