@@ -144,6 +144,7 @@ class Seen:
 
     alive = False
     gave: Value | None = None  # the last value, of an operation that gives one
+    called: Value | None = None  # the last function, of a call
     several = False
     swallows = False
     opaque = False

@@ -306,18 +306,22 @@ class Watch:
             elif number not in known:
                 known[number] = REACHED
             result = handler(machine, op, frame)
-            if result is not False:
-                if single:
-                    value = frame.registers[op.dst]
-                    if value.__class__ not in SILENT and (value.__class__ is not Const or value.origins):
-                        activation.of(number).give(value)
-                elif several:
-                    activation.of(number).give_several([frame.registers[r] for r in op.dsts])
-                seen = known[number]
-                if seen is REACHED:
-                    known[number] = ALIVE
-                else:
-                    seen.alive = True
+            if result is False:
+                return False
+            seen = known[number]
+            if single:
+                value = frame.registers[op.dst]
+                if value.__class__ not in SILENT and (value.__class__ is not Const or value.origins):
+                    if seen is REACHED or seen is ALIVE:
+                        seen = activation.of(number)
+                    seen.give(value)
+            elif several:
+                seen = activation.of(number)
+                seen.give_several([frame.registers[r] for r in op.dsts])
+            if seen is REACHED:
+                known[number] = ALIVE
+            else:
+                seen.alive = True
             return result
 
         return noting
@@ -343,6 +347,9 @@ def _find_function(seen: Seen, op: ops.Call, frame: Frame) -> None:
     for argument in op.arguments[:2]:
         seen.key(argument.register, registers[argument.register])
     function = registers[op.func]
+    if function is seen.called or function == seen.called:
+        return
+    seen.called = function
     if function not in seen.functions:
         seen.note("functions", function)
         seen.several = seen.several or len([o for o in options(function) if o != NONE]) > 1
