@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from types import FunctionType
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import options
@@ -324,7 +325,7 @@ class Watch:
                 seen.alive = True
             return result
 
-        return noting
+        return _apart(noting)
 
     def _before(self, cls: type[ops.Op]) -> Callable[[Seen, Any, Frame], None] | None:
         """What is noted of an operation before it runs."""
@@ -340,6 +341,15 @@ class Watch:
             keys = self._keys[op] = _keys_of(op)
         for register in keys:
             seen.key(register, frame.registers[register])
+
+
+def _apart(handler: Handler) -> Handler:
+    """The same, with code of its own: CPython makes code quick for the types that it meets, which are others for each kind of operation."""
+    assert isinstance(handler, FunctionType)
+    made: Handler = FunctionType(
+        handler.__code__.replace(), handler.__globals__, handler.__name__, None, handler.__closure__
+    )
+    return made
 
 
 def _find_function(seen: Seen, op: ops.Call, frame: Frame) -> None:
