@@ -250,23 +250,22 @@ class Seen:
 
     def _give(self, value: Value, places: Places) -> None:
         """One of the alternatives. Most say one thing."""
-        kind = value.__class__
-        if kind is Ref:
+        if value.__class__ is Ref:
             if self.refs is _NO_SET:
                 self.refs = {value.address}
             else:
                 self.refs.add(value.address)
-        elif kind is Unknown:
+        elif value.__class__ is Unknown:
             if value.hint not in _UNCHANGING:
                 self.opaque = True
             if value.reasons != self.reasons:
                 self._say("reasons", value.reasons)
-        elif kind is Const or kind is Text:
+        elif value.__class__ is Const or value.__class__ is Text:
             if value.origins:
                 self._say("origins", value.origins)
-        elif kind is External:
+        elif value.__class__ is External:
             self.note("externals", value.name)
-        elif kind not in SILENT:
+        elif value.__class__ not in SILENT:
             self.hold("refs", places(value))
 
 

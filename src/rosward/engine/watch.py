@@ -8,7 +8,7 @@ The interpreter does not know of it, but for what runs no operation: results tha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from types import FunctionType
 from typing import TYPE_CHECKING, Any, Final, final
@@ -17,6 +17,7 @@ from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Unknown, Value
+from rosward.engine.noted import CELLED, finding
 from rosward.engine.registered import Registered, period_of
 from rosward.engine.seen import (
     ALIVE,
@@ -70,7 +71,6 @@ class Watch:
         self.entries: dict[Scheduled, Registered] = {}
         self._remembered: dict[object, tuple[str, int]] = {}
         self._reads: dict[ops.Op, tuple[int, ...]] = {}  # the operands of each
-        self._keys: dict[ops.Op, tuple[int, ...]] = {}  # those that may name a slot
         self._running: list[tuple[Frame, Seen, tuple[int, ...]]] = []  # the operations of C++, with what they read
 
     def close(self) -> None:
@@ -260,7 +260,7 @@ class Watch:
 
     def _noting_cpp(self, cls: type[ops.Op], handler: Handler) -> Handler:
         """The handler of a kind of operation, noting what it gives; what it does itself is its own, not that of its blocks."""
-        structured, celled = cls in _STRUCTURED and cls is not ops.ForEach, cls in _CELLED
+        structured, celled = cls in _STRUCTURED and cls is not ops.ForEach, cls in CELLED
 
         def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
@@ -295,7 +295,7 @@ class Watch:
 
     def _noting(self, cls: type[ops.Op], handler: Handler) -> Handler:
         """The handler of a kind of operation, noting what it finds and what it gives. Of most there is nothing but the way of control."""
-        before = self._before(cls)
+        before = finding(cls)
         several = cls is ops.Unpack
         single = hasattr(cls, "dst") and cls not in _UNSEEN
 
@@ -312,7 +312,9 @@ class Watch:
             seen = known[number]
             if single:
                 value = frame.registers[op.dst]
-                if value.__class__ not in SILENT and (value.__class__ is not Const or value.origins):
+                if value.__class__ not in SILENT and (
+                    value.__class__ is not Const or value.origins
+                ):  # most say nothing
                     if seen is REACHED or seen is ALIVE:
                         seen = activation.of(number)
                     seen.give(value)
@@ -327,21 +329,6 @@ class Watch:
 
         return _apart(noting)
 
-    def _before(self, cls: type[ops.Op]) -> Callable[[Seen, Any, Frame], None] | None:
-        """What is noted of an operation before it runs."""
-        if cls is ops.Call:
-            return _find_function
-        if cls in _CELLED:
-            return _find_cell
-        return self._find_keys if cls in _KEYED else None
-
-    def _find_keys(self, seen: Seen, op: ops.Op, frame: Frame) -> None:
-        keys = self._keys.get(op)
-        if keys is None:
-            keys = self._keys[op] = _keys_of(op)
-        for register in keys:
-            seen.key(register, frame.registers[register])
-
 
 def _apart(handler: Handler) -> Handler:
     """The same, with code of its own: CPython makes code quick for the types that it meets, which are others for each kind of operation."""
@@ -352,42 +339,11 @@ def _apart(handler: Handler) -> Handler:
     return made
 
 
-def _find_function(seen: Seen, op: ops.Call, frame: Frame) -> None:
-    registers = frame.registers
-    for argument in op.arguments[:2]:
-        seen.key(argument.register, registers[argument.register])
-    function = registers[op.func]
-    if function is seen.called or function == seen.called:
-        return
-    seen.called = function
-    if function not in seen.functions:
-        seen.note("functions", function)
-        seen.several = seen.several or len([o for o in options(function) if o != NONE]) > 1
-
-
-def _find_cell(seen: Seen, op: Any, frame: Frame) -> None:
-    seen.hold("cells", (frame.cells[op.cell],))
-
-
-def _keys_of(op: ops.Op) -> tuple[int, ...]:
-    """The operands that may name a slot."""
-    if isinstance(op, (ops.LoadItem, ops.StoreItem)):
-        return (op.index,)
-    if isinstance(op, ops.Compare):
-        return (op.left, op.right) if op.operator == "==" else ()
-    if isinstance(op, ops.Build):
-        return tuple([r for _, r in op.items]) if op.kind == "dict" else ()
-    return tuple(reads(op))
-
-
-_KEYED: Final = frozenset({ops.Compare, ops.LoadItem, ops.StoreItem, ops.Build, ops.Intrinsic})
-"""Operations of which an operand may name a slot."""
 _UNSEEN: Final = frozenset({ops.Const, ops.Move, ops.Assume})
 """Operations of which nobody asks what they gave."""
 _STRUCTURED: Final = frozenset(
     {ops.If, ops.While, ops.ForEach, ops.Try, ops.With, ops.Return, ops.Break, ops.Continue, ops.Raise}
 )
-_CELLED: Final = frozenset({ops.LoadCell, ops.StoreCell, cpp.CellSlot})
 _KEYED_CPP: Final = frozenset({cpp.Invoke, cpp.InvokeMember, cpp.Item, cpp.Construct})
 _NOTHING_GIVEN: Final = Given(frozenset(), frozenset(), "none")
 
@@ -401,14 +357,14 @@ def _standing(machine: Engine, value: Value) -> Value:
 
 
 _NO_REFS: Final = frozenset[int]()
+_LEADING_NOWHERE: Final = SILENT | {Const, Unknown}
 
 
 def _refs_in(value: Value) -> frozenset[int]:
     """The objects that a value is or holds."""
-    kind = value.__class__
-    if kind is Ref:
+    if value.__class__ is Ref:
         return frozenset((value.address,))
-    return _NO_REFS if kind is Const or kind is Unknown or kind in SILENT else frozenset(refs_of(value))
+    return _NO_REFS if value.__class__ in _LEADING_NOWHERE else frozenset(refs_of(value))
 
 
 def _width(signature: Signature) -> int:
