@@ -123,6 +123,14 @@ class Watch:
         registered = Registered(tuple(_receivers(machine)), self.at(machine), _turn(machine), among, period)
         self.entries.setdefault(entry, registered)
 
+    def gave_up(self, op: ops.Op, frame: Frame) -> None:
+        """What an operation makes is too large to keep; control goes on behind it."""
+        if frame.seen is not None:
+            seen = frame.seen.of(op.number)
+            seen.alive = True
+            for register in writes(op):
+                seen.give(frame.registers[register])
+
     def effect(self, machine: Engine, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""
         self.at(machine).note("effects", (_turn(machine), effect))
