@@ -24,7 +24,7 @@ from rosward.flow.body import Body
 from rosward.flow.constructed import construct
 from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, of_library
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of, of_library
 from rosward.flow.partials import bound_in
 from rosward.flow.reading import arising, leads
 from rosward.flow.released import callees, released
@@ -324,7 +324,7 @@ def _register(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[
 
 def _hands(walker: Walker, function: Mark, seen: Seen) -> tuple[str, ...]:
     """The classes of what a function of a library calls a callback with."""
-    names = [n for root in function.roots if (n := library.name_of(root))]
+    names = [n for root in function.roots if (n := name_of(root))]
     names += [f"{f.module.name}.{f.code.qualname}" for f in callees(seen.functions) if isinstance(f, Function)]
     return next((hands for name in sorted(names) if (hands := walker.shape.said(name).hands)), ())
 

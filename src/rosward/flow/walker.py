@@ -18,8 +18,9 @@ from rosward.flow.content import TooLongError
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
-from rosward.flow.remembered import MOST, Remembered, Tracker
+from rosward.flow.remembered import MOST, Remembered
 from rosward.flow.sinks import DEEP, Chain, Sinks
+from rosward.flow.tracker import Tracker
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.program import CPP
@@ -82,6 +83,7 @@ class Walker:
         self.node: int | None = None  # on whose behalf
         self.stopped: dict[Root, int] = {}  # what decides that timers and subscriptions go on
         self.recursive: set[Activation] = set()  # the bodies that may call themselves
+        self.heads: dict[object, Point] = {}  # what loops have found at their beginnings, by the way that led there
         self.changed = False
         self.watched = watched  # the functions that release something
         self.lost = False  # code may run that nobody can name
@@ -192,6 +194,10 @@ class Walker:
             mask |= self.sources.trigger(source)
         return mask
 
+    def way(self, op: ops.Op) -> object:
+        """How control came to an operation: in which callback, through which calls."""
+        return (self.trail.event, *[(body.activation, body.at.number) for body in self.bodies], op.number)
+
     def place(self) -> Place:
         """The statement of the user's code that is running."""
         for body in reversed(self.bodies):
@@ -239,7 +245,7 @@ class Walker:
     def go(self, body: Body, point: Point) -> None:
         """Go on from a point (which is used up)."""
         body.registers = point.registers
-        self.memory = point.memory
+        self.memory = point.memory.current()
 
     def enter(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Walk through a body: what it returns. One that is running already returns what it is known to, so far."""
@@ -264,9 +270,11 @@ class Walker:
         outer = self.shape.tracker
         for each in earlier:
             current = not each.tracker.beside or each.beside == self._beside
-            if current and each.given == given and self.memory.finds(each.tracker.reads):
+            if current and each.given == given and self.memory.finds(each.tracker):
                 if each.tracker.beside:  # which it may have covered before it began
                     self.join_beside()
+                if outer is not None:
+                    outer.repeat(each.tracker, here(self.bodies[-1]), self.memory.now)
                 self.memory.replay(each.writes, each.tracker.placed)
                 before_it = self._chain()
                 for (sink, chain), mask in each.tracker.sent.items():
@@ -275,8 +283,6 @@ class Walker:
                     self.sinks.called(sink, whole, self._with_event(mask))
                 if self.attempts:
                     self.attempts[-1].mask |= each.raising
-                if outer is not None:
-                    outer.absorb(each.tracker, here(self.bodies[-1]))
                 return each.result
         tracker = self.shape.tracker = Tracker()
         beside = self._beside
@@ -288,14 +294,14 @@ class Walker:
         finally:
             self.shape.tracker = outer
             if outer is not None:
-                outer.absorb(tracker, here(self.bodies[-1]))
+                outer.absorb(tracker, here(self.bodies[-1]), self.memory)
         raising = self.attempts[-1].mask if self.attempts else 0
         if self.attempts:
             self.attempts[-1].mask |= before
         if not tracker.open:
-            writes = {root: content for root in tracker.writes if (content := self.memory.known(root)) is not None}
+            tracker.ended()
             del earlier[MOST - 1 :]
-            earlier.insert(0, Remembered(given, tracker, writes, result, raising, beside))
+            earlier.insert(0, Remembered(given, tracker, self.memory.left(tracker), result, raising, beside))
         return result
 
     def _walk(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
@@ -319,7 +325,7 @@ class Walker:
         if body.returned is not None:
             if alive:
                 body.returned.join(self.memory)
-            self.memory = body.returned
+            self.memory = body.returned.current()
         old = self.results.get(activation)
         new = body.result if old is None else old.joined(body.result)
         if new is not old:
