@@ -147,7 +147,10 @@ class Walker:
                 known[number] = known[number].joined(attempt.body.registers[number])
 
     def bodies_of(self, seen: Seen) -> dict[str, list[Activation]]:
-        """The bodies that an operation runs, by their keys. Of many activations of one, or in a large process, all that was seen of it is taken together."""
+        """The bodies that an operation runs, by their keys.
+
+        Of many activations of one body, or in a large process, all that was seen of it is taken together.
+        """
         found = self._bodies.get(seen)
         if found is None:
             found = {}
