@@ -59,6 +59,7 @@ class Obj:
     `rest` joins the values under keys that are not known (None: there are none), `rest_key` those keys.
     many: the record stands for several objects of the program (made in a loop or a callback that runs again): writes only add.
     payload: what the kind needs beyond (the suspended call of a generator, say).
+    joined: the join of all elements, once somebody has asked for it (`element`); nothing that the program sees.
     """
 
     __slots__ = (
@@ -67,6 +68,7 @@ class Obj:
         "ends",
         "entries",
         "items",
+        "joined",
         "kind",
         "many",
         "maybe",
@@ -103,6 +105,7 @@ class Obj:
         self.payload = payload
         self.partial = partial
         self.ends = ends
+        self.joined: Value | None = None
 
     def replace(self, **changes: object) -> Obj:
         """A copy with some fields changed."""
@@ -121,6 +124,12 @@ class Obj:
         if self.items is not None:
             return Series(self.items)
         return self.ends if self.ends is not None else Series((), self.rest)
+
+    def element(self) -> Value | None:
+        """The join of all elements of a list or set; None where there are none. Of long lists it is asked again and again."""
+        if self.joined is None:
+            self.joined = self.series().element()
+        return self.joined
 
     def with_attr(self, name: str, value: Value) -> Obj:
         """A copy in which one attribute differs."""
@@ -145,6 +154,7 @@ class Obj:
         copy.payload = self.payload
         copy.partial = self.partial
         copy.ends = self.ends
+        copy.joined = None
         return copy
 
     def __repr__(self) -> str:

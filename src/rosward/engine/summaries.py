@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, final
 
+from rosward.domain.memory import SHIFT
 from rosward.domain.values import UNBOUND, Value
 
 if TYPE_CHECKING:
@@ -31,6 +33,7 @@ class Summary:
         "begun",
         "catcher",
         "joined",
+        "pages",
         "provisional",
         "registers",
         "turn",
@@ -50,6 +53,20 @@ class Summary:
         self.whole = False  # who calls sees all of the states behind, not only what the body changed
         self.provisional = False  # it was made of another summary that was unfinished then
         self.turn = -1  # the turn of the outermost summary in which it was made last
+        self.pages: tuple[int, dict[int, list[int]]] = 0, {}  # how many addresses were asked for, and these by page
+
+    def asked_apart(self, one: Heap, other: Heap) -> Iterator[int]:
+        """The addresses that its body asked for on the pages that two heaps do not share."""
+        count, pages = self.pages
+        if count != len(self.asked_for):  # it only grows
+            pages = {}
+            for address in self.asked_for:
+                pages.setdefault(address >> SHIFT, []).append(address)
+            self.pages = len(self.asked_for), pages
+        ours, theirs = one.pages, other.pages
+        for number, addresses in pages.items():
+            if ours.get(number) is not theirs.get(number):
+                yield from addresses
 
     @property
     def versions(self) -> tuple[object, ...]:
