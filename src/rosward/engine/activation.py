@@ -75,6 +75,8 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
             call.value, call.level = value, level
             recalled.ended(machine, place, code.key, call)
     finally:
+        if call is not None:
+            recalled.closed(machine, call)
         asked_for, machine.asked_for = machine.asked_for, outer
         outer |= asked_for
         if importing:

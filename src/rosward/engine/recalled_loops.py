@@ -66,6 +66,7 @@ def recalling(follow: Follow) -> Follow:
                 call.stands = frame.op, frame.sequence
                 recalled.ended(machine, place, key, call)
         finally:
+            recalled.closed(machine, call)
             asked_for, machine.asked_for = machine.asked_for, outer
             outer |= asked_for
         return alive

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from rosward.domain.state import EventKey, State
     from rosward.engine.catcher import Catcher
     from rosward.engine.precision import Effort
+    from rosward.engine.told import Telling, Told
     from rosward.ir.ops import Op
     from rosward.ir.program import OpKey
 
@@ -85,14 +86,20 @@ class Call:
         "around",
         "asked_for",
         "before",
+        "catcher",
         "done",
         "effort",
+        "first",
         "heap",
         "importing",
         "left",
         "level",
+        "outermost",
+        "raised",
         "records",
+        "settled",
         "stands",
+        "told",
         "value",
         "written",
     )
@@ -103,6 +110,12 @@ class Call:
         self.done = state.done
         self.effort = effort
         self.heap: Heap | None = state.heap.copy()  # until it ends
+        self.catcher: Catcher | None = None  # the `try` around, until it ends
+        self.first = 0  # how much was told there before
+        self.outermost = False  # no other call was remembered before, of those that tell the same
+        self.told: tuple[Told, ...] = ()  # what the `try` around is told, or the end of the program where there is none
+        self.settled = False  # the `try` around knows the state behind it
+        self.raised = 0  # how many exceptions were raised
         self.value: Value = UNBOUND
         self.level = 0  # what Python may raise in it
         self.importing = False  # an import in it may fail
@@ -132,7 +145,9 @@ class Summaries:
         "recursive",
         "running",
         "small",
+        "told",
         "turns",
+        "uncaught",
     )
 
     def __init__(self) -> None:
@@ -151,3 +166,5 @@ class Summaries:
         self.asked = 0  # how often a call looked at more than records: at a summary, a generator that runs, a frame
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one
+        self.told: list[Telling] | None = None  # the exceptions that no `try` gets, while a call outside of all is remembered
+        self.uncaught = 0  # how many of them ended the main body
