@@ -7,10 +7,10 @@ self.items.append(x)    heap[a] = heap[a].replace(items=(*items, x))
 from __future__ import annotations
 
 from collections.abc import Mapping, Set
-from typing import Final, Literal, TypedDict, final
+from typing import Any, Final, Literal, TypedDict, final
 
 from rosward.domain.series import Series
-from rosward.domain.table import NO_MARKS, unmarked, written
+from rosward.domain.table import NO_MARKS, Table, unmarked, written
 from rosward.domain.values import Value
 from rosward.records import NamedTuple
 
@@ -159,3 +159,32 @@ class Obj:
 
     def __repr__(self) -> str:
         return f"Obj({self.kind}, {self.cls}, attrs={list(self.attrs)}, items={self.items}, rest={self.rest})"
+
+
+def alike(one: Obj, other: Obj) -> bool:
+    """Whether two records say the same, in the same order."""
+    return (
+        one.kind == other.kind
+        and one.many == other.many
+        and one.cls == other.cls
+        and one.items == other.items
+        and one.rest == other.rest
+        and one.payload == other.payload
+        and _same(one.attrs, other.attrs)
+        and one.partial == other.partial
+        and one.ends == other.ends
+        and _same(one.entries, other.entries)
+        and one.maybe == other.maybe
+        and one.rest_key == other.rest_key
+    )
+
+
+def _same(one: Mapping[Any, Value], other: Mapping[Any, Value]) -> bool:
+    """Whether two mappings hold the same in the same order."""
+    if one is other:
+        return True
+    if len(one) != len(other):
+        return False
+    if one.__class__ is Table and other.__class__ is Table:
+        return not any(a != b for _, a, b in one.differing(other))
+    return one == other and list(one) == list(other)

@@ -34,7 +34,7 @@ _MOST: Final = 4_000
 def begun(machine: Engine) -> Call:
     """A call begins that is to be remembered."""
     call = Call(machine.state, _around(machine), _before(machine), machine.precision.effort())
-    call.raised = machine.raised
+    call.raised, call.begun_anew = machine.raised, len(machine.summaries.anew)
     catcher = call.catcher = machine.catchers[-1] if machine.catchers else None
     told = machine.summaries.told if catcher is None else catcher.told
     if told is not None:
@@ -80,10 +80,10 @@ def ended(machine: Engine, place: object, key: str, call: Call) -> None:
     call.written = tuple(state.heap.changed_since(heap))
     call.added = state.done - call.done
     call.importing = catcher is not None and catcher.importing
-    call.asked_for = frozenset(machine.asked_for)
+    call.asked_for, call.anew = frozenset(machine.asked_for), frozenset(summaries.anew[call.begun_anew :])
     changed = [address for address, _ in call.written]
     changed += [address for each in told for address, _ in each.objects]
-    call.addresses = tuple(call.asked_for.union(changed))
+    call.addresses = tuple(call.asked_for.union(changed, call.anew))
     call.records = tuple(map(heap.get, call.addresses))
     if len(summaries.calls) > _MOST:
         summaries.calls.clear()
@@ -99,7 +99,8 @@ def known(machine: Engine, place: object) -> Call | None:
             and machine.precision.allows(call.effort)
             and call.done <= state.done
             and call.around == _around(machine)
-            and machine.unheld.isdisjoint(call.addresses)
+            and call.anew.issuperset(machine.unheld.intersection(call.addresses))
+            and call.anew <= machine.unheld
         ):
             return call
     return None
@@ -115,6 +116,9 @@ def repeated(machine: Engine, call: Call) -> Value:
     state.done |= call.added
     if call.written or call.added:
         state.version = machine.fresh_version()
+    if call.anew:
+        machine.unheld -= call.anew
+        machine.summaries.anew += call.anew
     machine.raised += call.raised
     machine.asked_for |= call.asked_for
     machine.precision.repeat(call.effort)
@@ -161,9 +165,6 @@ def _around(machine: Engine) -> tuple[object, ...]:
         bool(trace.handed),
         bool(book.entries),
         book.by_library,
-        book.was_run,
-        book.main_raised,
-        book.threads_raised,
         book.running,
         machine.hooked,
         machine.unhooked is None,
@@ -180,7 +181,7 @@ def _before(machine: Engine) -> tuple[object, ...]:
         summaries.asked,
         len(machine.log.ends) - summaries.uncaught,
         machine.schedule_book.spins,
-        len(machine.unheld),
+        machine.schedule_book.asked,
     )
 
 

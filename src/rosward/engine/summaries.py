@@ -83,9 +83,11 @@ class Call:
     __slots__ = (
         "added",
         "addresses",
+        "anew",
         "around",
         "asked_for",
         "before",
+        "begun_anew",
         "catcher",
         "done",
         "effort",
@@ -122,6 +124,8 @@ class Call:
         self.left: tuple[Value, ...] = ()  # of a loop: what stands in the registers that it writes,
         self.stands: tuple[Op, int]  # and the operation that ran last, with what that made
         self.asked_for: frozenset[int] = frozenset()
+        self.anew: frozenset[int] = frozenset()  # the addresses at which it makes what nothing holds any more
+        self.begun_anew = 0  # how many of them there were before
         self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
         self.records: tuple[Obj | None, ...] = ()  # what stood there
         self.written: tuple[tuple[int, Obj], ...] = ()
@@ -133,6 +137,7 @@ class Summaries:
     """What one process remembers of its calls."""
 
     __slots__ = (
+        "anew",
         "asked",
         "calls",
         "changes",
@@ -167,4 +172,5 @@ class Summaries:
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one
         self.told: list[Telling] | None = None  # the exceptions that no `try` gets, while a call outside of all is remembered
+        self.anew: list[int] = []  # the addresses that nothing held and that were taken again
         self.uncaught = 0  # how many of them ended the main body
