@@ -25,6 +25,10 @@ _LEAST: Final = 16
 """A call of fewer steps is made as quickly as it is remembered."""
 _KEPT: Final = 2
 """So many calls with the same arguments, in the same place, are told apart by what they read."""
+_PATIENCE: Final = 30
+"""So many calls of one function are remembered in vain, before those that follow are made without that."""
+_WORTH: Final = 10
+"""For so many of them one that is recalled makes up."""
 _MOST_TOLD: Final = 200
 """So much may be told to the `try` around in a call that is remembered."""
 _MOST: Final = 4_000
@@ -85,6 +89,9 @@ def ended(machine: Engine, place: object, key: str, call: Call) -> None:
     changed += [address for each in told for address, _ in each.objects]
     call.addresses = tuple(call.asked_for.union(changed, call.anew))
     call.records = tuple(map(heap.get, call.addresses))
+    summaries.vain[key] = vain = summaries.vain.get(key, 0) + 1
+    if vain > _PATIENCE:
+        summaries.small.add(key)
     if len(summaries.calls) > _MOST:
         summaries.calls.clear()
     summaries.calls[place] = (call, *summaries.calls.get(place, ())[: _KEPT - 1])
@@ -106,8 +113,10 @@ def known(machine: Engine, place: object) -> Call | None:
     return None
 
 
-def repeated(machine: Engine, call: Call) -> Value:
+def repeated(machine: Engine, key: str, call: Call) -> Value:
     """What a call gives; the machine is where it would be behind it."""
+    vain = machine.summaries.vain
+    vain[key] = vain.get(key, 0) - _WORTH
     if call.told:
         _tell_again(machine, call)
     state = machine.state

@@ -153,6 +153,7 @@ class Summaries:
         "told",
         "turns",
         "uncaught",
+        "vain",
     )
 
     def __init__(self) -> None:
@@ -161,6 +162,7 @@ class Summaries:
         ] = {}  # results, what Python may raise, and what was asked for
         self.calls: dict[object, tuple[Call, ...]] = {}  # what calls did, by place (`recalled.py`)
         self.small: set[str] = set()  # the code bodies, by their keys, of which calls are not worth to be remembered
+        self.vain: dict[str, int] = {}  # by code body, how many calls were remembered in vain
         self.epoch = 0  # which run of a summary's body is going on: what was remembered outside of it tells not what it asked for
         self.running: dict[object, Summary] = {}  # of recursions that are being solved
         self.finished: dict[object, Summary] = {}  # of recursions and large functions; in coarse mode only
