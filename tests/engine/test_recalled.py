@@ -132,9 +132,9 @@ def test_a_call_that_would_do_the_same_is_not_made(tmp_path: Path, monkeypatch: 
     steps: list[int] = []
     repeated = recalled.repeated
 
-    def counting(machine: Engine, call: Call) -> Value:
+    def counting(machine: Engine, key: str, call: Call) -> Value:
         steps.append(call.effort.steps)
-        return repeated(machine, call)
+        return repeated(machine, key, call)
 
     monkeypatch.setattr(recalled, "repeated", counting)
     found = _told(tmp_path)
