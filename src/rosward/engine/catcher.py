@@ -70,7 +70,7 @@ class Catcher:
         self.arrived: dict[Value, Heap] = {}  # by exception, the heap in which it came last
         self.level = 0
         self.importing = False  # an import in the body may fail
-        self.told: list[Telling] | None = None  # what is told here, while a call is remembered
+        self.told: list[Telling | None] | None = None  # what is told here, while a call is remembered
         self.untold = False  # nothing was told since the innermost of these calls began
 
     @property

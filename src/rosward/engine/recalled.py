@@ -20,6 +20,7 @@ from rosward.engine.told import Kind, told_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
+    from rosward.engine.told import Telling
 
 _LEAST: Final = 16
 """A call of fewer steps is made as quickly as it is remembered."""
@@ -43,6 +44,7 @@ def begun(machine: Engine) -> Call:
     told = machine.summaries.told if catcher is None else catcher.told
     if told is not None:
         call.first = len(told)
+        _forget(told)
     elif catcher is None:
         machine.summaries.told, call.outermost = [], True
     else:
@@ -50,6 +52,14 @@ def begun(machine: Engine) -> Call:
     if catcher is not None:
         catcher.untold = True
     return call
+
+
+def _forget(told: list[Telling | None]) -> None:
+    """What is too long ago for any call that is running to be remembered with it: each holds a heap."""
+    last = len(told) - _MOST_TOLD - 1
+    while last >= 0 and told[last] is not None:
+        told[last] = None
+        last -= 1
 
 
 def closed(machine: Engine, call: Call) -> None:
@@ -76,7 +86,9 @@ def ended(machine: Engine, place: object, key: str, call: Call) -> None:
         return
     tellings = summaries.told if catcher is None else catcher.told
     assert tellings is not None
-    told = told_of(tellings[call.first :], heap, call.done) if len(tellings) - call.first <= _MOST_TOLD else None
+    if len(tellings) - call.first > _MOST_TOLD:
+        return
+    told = told_of([each for each in tellings[call.first :] if each is not None], heap, call.done)
     if told is None:
         return
     call.told, call.raised = told, machine.raised - call.raised
@@ -214,6 +226,8 @@ def place_of(machine: Engine, key: str, given: object, context: int) -> object:
 
 
 def _tried(machine: Engine) -> object:
-    """What a call may ask of the `try` around: what those catch surely, and whether the state counts for the innermost already."""
+    """What a call may ask of the `try` around: what each surely catches, innermost first, and whether the state counts there already."""
     catchers = machine.catchers
-    return (catchers[-1].level, frozenset([(c.handles, c.classes) for c in catchers])) if catchers else None
+    if not catchers:
+        return None
+    return catchers[-1].level, tuple(dict.fromkeys([(c.handles, c.classes) for c in reversed(catchers)]))

@@ -173,7 +173,7 @@ class Summaries:
         self.asked = 0  # how often a call looked at more than records: at a summary, a generator that runs, a frame
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one
-        self.told: list[Telling] | None = (
+        self.told: list[Telling | None] | None = (
             None  # the exceptions that no `try` gets, while a call outside of all is remembered
         )
         self.anew: list[int] = []  # the addresses that nothing held and that were taken again
