@@ -177,6 +177,8 @@ def _cpp_loops(n: int) -> Files:
 
 
 _EXTRACT: Final = ("extract", "{source}", "-q", "-o", "{out}")
+_MORE_STEPS: Final = (*_EXTRACT, "--budget", "10")
+"""For programs in C++ that reach the limit of steps with some thousand entities in one process."""
 _TOP: Final = "{source}/launch/top.launch.xml"
 
 
@@ -236,9 +238,9 @@ KINDS: Final[dict[str, Kind]] = {
         )
     ),
     "C++: publishers": Kind(
-        lambda n: _cpp([f'kept_.push_back(create_publisher<String>("t{i}", 1));' for i in range(n)])
+        lambda n: _cpp([f'kept_.push_back(create_publisher<String>("t{i}", 1));' for i in range(n)]), _MORE_STEPS
     ),
-    "C++: subscriptions": Kind(_cpp_callbacks),
+    "C++: subscriptions": Kind(_cpp_callbacks, _MORE_STEPS),
     "C++: methods": Kind(_cpp_methods),
     "C++: calls of one function": Kind(_cpp_loops),
     "C++: programs": Kind(

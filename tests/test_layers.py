@@ -100,6 +100,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
 ON_DEMAND: Final = {
     ("pipeline.py", "rosward.analysis.launched"),
     ("analysis/read.py", "rosward.analysis.compiled"),
+    ("analysis/read.py", "rosward.analysis.kept_programs"),
     ("analysis/read.py", "rosward.analysis.models_state"),
     ("analysis/read.py", "rosward.analysis.summaries"),
     ("analysis/read.py", "rosward.cache.version"),

@@ -228,7 +228,7 @@ def _extract(
         *(SourceFile(workspace.root / name, name) for name in headers),
     )
     reasons = Counter(skipped.reason for skipped in workspace.skipped)
-    read.sources.keep_summaries(read.library.facts)
+    read.sources.keep(read.library.facts)
     read.library.given_back()
     return Result(
         _network(read, gathered, findings, unknown, wanted),

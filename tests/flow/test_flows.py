@@ -647,3 +647,34 @@ def test_a_row_for_each_caller(tmp_path: Path, capsys: pytest.CaptureFixture[str
         "  /out  data  /plan  speaker.py:26 called at speaker.py:16\n"
         "  /out  data  /map   speaker.py:26 called at speaker.py:19\n"
     )
+
+
+_GROWING: Final = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Echo(Node):
+    def __init__(self):
+        super().__init__("echo")
+        self.pub = self.create_publisher(String, "/out", 10)
+        self.create_subscription(String, "/in", self.on_in, 10)
+
+    def on_in(self, msg):
+        kept = (msg.data, 1)
+{grows}        self.pub.publish(String(data=msg.data))
+
+
+rclpy.init()
+rclpy.spin(Echo())
+"""
+
+
+@pytest.mark.parametrize("turns", [3, 7])
+def test_what_follows_a_tuple_that_is_too_large_is_not_lost(tmp_path: Path, turns: int) -> None:
+    program = tmp_path / "echo.py"
+    program.write_text(_GROWING.format(grows="        kept = (kept, kept, kept, kept, kept, kept)\n" * turns))
+    said = said_of(reported(program), "topic:/out")
+    assert said is not None
+    assert said.data == {"topic:/in"}

@@ -16,6 +16,8 @@ from rosward.effects.flows import Source
 from rosward.flow.content import EMPTY, Content, both
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted, triggering
 from rosward.flow.memory import Memory
+from rosward.flow.remembered import Written
+from rosward.flow.store import Numbers
 
 masks = st.integers(0, 2**12 - 1)
 keys = st.sampled_from(["a", "b", 0, 1])
@@ -127,6 +129,7 @@ def memory() -> Memory:
     shape: Any = SimpleNamespace(
         many={MANY},
         inner={},
+        numbers=Numbers(),
         tracker=None,
         trail=None,
         spent=0,
@@ -231,7 +234,8 @@ acts = st.tuples(
 
 @given(st.lists(acts, max_size=12))
 def test_a_look_that_is_kept_finds_what_a_new_one_finds(several: list[Any]) -> None:
-    here, there = memory(), memory()
+    here = memory()
+    there = Memory(here.shape)
     for act, root, key, mark, looked in several:
         if act == "write":
             here.write(frozenset((root,)), key, mark)
@@ -244,7 +248,7 @@ def test_a_look_that_is_kept_finds_what_a_new_one_finds(several: list[Any]) -> N
         else:
             here.join(there)
         fresh = Memory(here.shape)
-        fresh.replay(dict(here.items()), set())
+        fresh.replay([Written(root, None, content) for root, content in here.items()], set())
         for each in (looked, frozenset((root,)), mark.roots):
             assert here.deep(Mark(0, each)) == fresh.deep(Mark(0, each))
 

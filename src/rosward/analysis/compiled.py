@@ -13,10 +13,12 @@ from __future__ import annotations
 import importlib.util
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.analysis.kept_programs import Kept, KeptProgram
+from rosward.analysis.linked_functions import LinkedFunction, creating_functions
 from rosward.analysis.plugins import Plugins, plugins_of
 from rosward.analysis.ros_headers import RosHeaders
 from rosward.effects.entry import Entry
@@ -34,6 +36,9 @@ from rosward.source.text import place_name
 from rosward.source.workspace import Package, SourceFile, Workspace
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
+    from rosward.analysis.kept_programs import Keeper
     from rosward.frontends.cpp.symbols import CppSymbols
     from rosward.ros.distro import Distro
 
@@ -63,13 +68,16 @@ class Planned(NamedTuple):
 class Compiled:
     """The programs in C++ of a workspace."""
 
-    def __init__(self, workspace: Workspace, distro: Distro, *, net: bool = True) -> None:
+    def __init__(self, workspace: Workspace, distro: Distro, *, net: bool = True, keeper: Keeper | None = None) -> None:
         self.findings = Findings()
         self.lines: dict[str, int] = {}
         """The files that were read, and how many lines each has."""
         self._workspace = workspace
         self._distro = distro
         self._net = net
+        self._keeper = keeper
+        self._linked: dict[str, KeptProgram] = {}
+        """Those that were linked here, to be kept."""
         self._programs: dict[str, CppSymbols | None] = {}
         root = os.fspath(workspace.root)
         self._headers = Headers(workspace.root, [root], workspace.boundary)
@@ -106,13 +114,83 @@ class Compiled:
             self._programs[name] = None if planned is None else self._link(planned)
         return self._programs[name]
 
+    def digest(self, name: str) -> str:
+        """What tells a program from any other, '' where it cannot be read; where it is known, it is not linked."""
+        before = self._before(name)
+        if before is not None:
+            return before.digest
+        found = self.program(name)
+        return "" if found is None else found.digest
+
+    def creating_functions(
+        self, name: str, creating: frozenset[str], wanted: Callable[[str], bool]
+    ) -> Mapping[str, Sequence[LinkedFunction]]:
+        """The functions of a program that would create an entity, by file: of those of its files that are wanted."""
+        before = self._before(name)
+        known = None if before is None else before.functions_in(wanted)
+        program = self.program(name) if known is None else None
+        if program is None:
+            return known or {}
+        files = [f for f in program.files if not f.text.startswith(PREFIX) and wanted(f.text)]
+        found = {file.text: creating_functions(program, file, creating) for file in files}
+        linked = self._linked[name]
+        self._linked[name] = linked._replace(functions={**linked.functions, **found})
+        return found
+
+    def component_places(self, name: str) -> Sequence[Place]:
+        """Where the class is declared of which a program makes a component."""
+        before = self._before(name)
+        if before is not None and before.places is not None:
+            return before.places
+        program = self.program(name)
+        if program is None:
+            return ()
+        *scope, own = self._planned[name].entry.classes[0].removeprefix("::").split("::")
+        places = tuple(symbol.place for symbol in program.at(tuple(scope), own))
+        self._linked[name] = self._linked[name]._replace(places=places)
+        return places
+
+    def keep(self) -> None:
+        """Keep what is known of the programs that were linked, and of those that still are what they were."""
+        if self._keeper is not None and self._linked:
+            programs = {name: kept for name, kept in self._kept.items() if name in self._planned}
+            programs |= {name: linked.with_more(programs.get(name)) for name, linked in self._linked.items()}
+            self._keeper.keep(Kept(self._headers.asked(), programs))
+
+    def _before(self, name: str) -> KeptProgram | None:
+        """What is known of a program that was linked before, and is what it was; what was told of it is told again."""
+        kept, planned = self._kept.get(name), self._planned.get(name)
+        if kept is None or planned is None or name in self._programs or kept.units != _of_units(planned):
+            return None
+        if kept.loads:
+            self._described  # noqa: B018  tells what is wrong with plugins
+        self._tell(kept.findings, kept.lines)
+        return kept
+
+    @cached_property
+    def _kept(self) -> Mapping[str, KeptProgram]:
+        """The programs that were linked before, if all of their files are what they were."""
+        kept = None if self._keeper is None else self._keeper.latest()
+        if kept is None:
+            return {}
+        if any(program.loads for program in kept.programs.values()):
+            self._write_plugins()
+        return kept.programs if self._headers.answers(kept.asked) else {}
+
+    def _tell(self, findings: Iterable[Finding], lines: Mapping[str, int]) -> None:
+        """What is wrong with a program, and how many lines its files have."""
+        self.findings.update(findings)
+        self.lines |= {file: count for file, count in lines.items() if file not in self.lines}
+
     def _link(self, planned: Planned) -> CppSymbols | None:
         if self._store is None:
             self._store = self._new_store()
         store = self._store
         place = Place(planned.entry.file)
+        loads = False
 
         def link() -> Linked:
+            nonlocal loads
             linked = store.symbols(planned.units)
             loads = any(name.startswith(_LOADER) for file in linked.files for name in file.external)
             return store.symbols((*planned.units, *self._plugins)) if loads and self._plugins else linked
@@ -121,12 +199,16 @@ class Compiled:
         if isinstance(found, Finding):
             self.findings.add(found)
             return None
-        self.findings.update(found.findings)
-        self.lines |= {
-            each.file: each.text.count("\n") + (not each.text.endswith("\n"))
-            for each in found.files
-            if each.file not in self.lines
-        }
+        lines = {each.file: each.text.count("\n") + (not each.text.endswith("\n")) for each in reversed(found.files)}
+        self._tell(found.findings, lines)
+        self._linked[planned.entry.program] = KeptProgram(
+            _of_units(planned),
+            found.symbols.digest,
+            found.findings,
+            lines,
+            loads,
+            {file.text: None for file in found.symbols.files if not file.text.startswith(PREFIX)},
+        )
         return found.symbols
 
     def plugin(self, name: str) -> Entry | None:
@@ -147,9 +229,12 @@ class Compiled:
 
     @cached_property
     def _described(self) -> Plugins:
-        plugins = plugins_of(self._workspace, self._builds)
-        self.findings.update(plugins.findings)
-        return plugins
+        self.findings.update(self._found_plugins.findings)
+        return self._found_plugins
+
+    @cached_property
+    def _found_plugins(self) -> Plugins:
+        return plugins_of(self._workspace, self._builds)
 
     @cached_property
     def _plugins(self) -> tuple[Unit, ...]:
@@ -157,8 +242,11 @@ class Compiled:
         plugins = self._described
         if not plugins.text:
             return ()
-        self._headers.write(_PLUGINS, f"{PREFIX}{_PLUGINS}", plugins.text)
+        self._write_plugins()
         return (*plugins.units, Unit(_PLUGINS, (), ()))
+
+    def _write_plugins(self) -> None:
+        self._headers.write(_PLUGINS, f"{PREFIX}{_PLUGINS}", self._found_plugins.text)
 
     @cached_property
     def _builds(self) -> Builds:
@@ -240,10 +328,14 @@ class Compiled:
     def _alone(self, files: Sequence[SourceFile], builds: Builds, ros: RosHeaders) -> Iterator[Planned]:
         """Sources with `main` that no build is known for, each with the sources beside it that have none."""
         texts = {file: self._headers.read(os.fspath(file.path)) for file in files}
-        starts = [f for f, text in texts.items() if isinstance(text, str) and _MAIN.search(text)]
+        starts = {f: None for f, text in texts.items() if isinstance(text, str) and _MAIN.search(text)}
+        others: dict[Path, list[SourceFile]] = {}
+        for file in files:
+            if file not in starts:
+                others.setdefault(file.path.parent, []).append(file)
         labels: dict[str, int] = {}
         for file in starts:
-            beside = [f for f in files if f not in starts and f.path.parent == file.path.parent]
+            beside = others.get(file.path.parent, ())
             includes = tuple(_include_folders(file, self._workspace))
             units = tuple(builds.alone(os.fspath(f.path), includes) for f in (file, *beside))
             label = f"{file.package.name}/{file.path.stem}" if file.package is not None else file.relative
@@ -252,6 +344,11 @@ class Compiled:
             package = file.package.name if file.package is not None else None
             entry = Entry(file.relative, "", "main", (), package, None, label, program=label)
             yield Planned(entry, units, ros.reached(units[0].path, units[0].includes))
+
+
+def _of_units(planned: Planned) -> str:
+    """What a program is linked of."""
+    return disk.digest(repr(planned.units).encode("utf-8", "surrogatepass"))
 
 
 def _include_folders(file: SourceFile, workspace: Workspace) -> Iterable[str]:

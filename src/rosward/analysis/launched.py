@@ -9,6 +9,7 @@ The same program, started in the same way, is interpreted once, and is in the re
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -163,7 +164,7 @@ def _of_systems(
     """The nodes of launched systems, `asked` what their programs ask for. What several systems start in the same way is in the result once."""
     by_task = {id(task): outcome for task, outcome in zip(every.tasks, outcomes, strict=True)}
     findings = Findings()
-    known: dict[str, list[tuple[Node, ...]]] = {}
+    known = _Processes()
     nodes: list[Node] = []
     packages: set[str] = set()
     for system, of_system in zip(systems, every.programs, strict=True):
@@ -181,7 +182,7 @@ def _of_systems(
             processes.setdefault(program.process, []).extend(made.nodes)
             packages.add(program.package or "")
         for label, members in processes.items():
-            nodes += _distinct(label, members, known)
+            nodes += known.distinct(label, members)
     findings.update(_of_packages(sources, outset.workspace, packages))
     seen = [each.seen for each in outcomes]
     for one in seen:
@@ -203,18 +204,28 @@ def _of_systems(
     return Gathered(nodes, list(findings))
 
 
-def _distinct(label: str, members: list[Node], known: dict[str, list[tuple[Node, ...]]]) -> list[Node]:
-    """The nodes of a process, unless another system has the same process; under a label of its own."""
-    stem = label.partition("#")[0]
-    bare = tuple(replace(n, process="", launched_by=None) for n in members)
-    earlier = known.setdefault(stem, [])
-    if label == stem and bare in earlier:
-        return []
-    if label != stem and earlier.count(bare) >= int(label.rpartition("#")[2]):
-        return []
-    earlier.append(bare)
-    name = stem if len(earlier) == 1 else f"{stem}#{len(earlier)}"
-    return [replace(n, process=name) for n in members]
+@final
+class _Processes:
+    """The processes of all systems so far."""
+
+    def __init__(self) -> None:
+        self._counts: Counter[str] = Counter()
+        self._known: dict[tuple[str, ...], list[tuple[Node, ...]]] = {}
+        """By label and names of nodes: of those of one label, few have the same names, and these alone are compared as a whole."""
+
+    def distinct(self, label: str, members: list[Node]) -> list[Node]:
+        """The nodes of a process, unless another system has the same process; under a label of its own."""
+        stem = label.partition("#")[0]
+        bare = tuple(replace(n, process="", launched_by=None) for n in members)
+        alike = self._known.setdefault((stem, *(n.fqn for n in members)), [])
+        if label == stem and bare in alike:
+            return []
+        if label != stem and alike.count(bare) >= int(label.rpartition("#")[2]):
+            return []
+        alike.append(bare)
+        self._counts[stem] += 1
+        name = stem if self._counts[stem] == 1 else f"{stem}#{self._counts[stem]}"
+        return [replace(n, process=name) for n in members]
 
 
 class _Started(NamedTuple):

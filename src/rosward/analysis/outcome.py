@@ -60,13 +60,22 @@ def outcome_of(outset: Outset, task: Task) -> Done:
     """Run a process, and name what it makes. A probe that makes nothing, and has nothing to tell, adds nothing, unless it is launched."""
     entry, is_launched = task.entry, task.configuration is not None
     each = run(outset.library, entry, outset.budget, task.configuration if is_launched else outset.configuration)
-    seen = seen_of(each, outset.library)
     reads = each.reads
     questions = () if reads is None else reads.questions
     if reads is not None and outset.library.has_further_models:
         questions += tuple(("model", name) for name in reads.models)
+    memory = outset.library.memory
+    if memory is None:
+        return Done(_outcome(outset, entry, each, is_launched=is_launched), questions)
+    make = partial(_outcome, outset, entry, each, is_launched=is_launched)
+    return Done(memory.derived(each, (entry, is_launched, outset.distro), make), questions)
+
+
+def _outcome(outset: Outset, entry: Entry, each: Run, *, is_launched: bool) -> Outcome:
+    """What a process adds that was run."""
+    seen = seen_of(each, outset.library)
     if entry.probe and not is_launched and not (each.log.nodes or each.log.entities or _tells(each)):
-        return Done(Outcome((), (), bool(each.log.nodes), seen), questions)
+        return Outcome((), (), bool(each.log.nodes), seen)
     process = Process(
         entry.package,
         entry.executable,
@@ -80,7 +89,7 @@ def outcome_of(outset: Outset, task: Task) -> Done:
         partial(collect, each.log, process, outset.distro), Place(entry.file), missing, net=outset.budget.net
     )
     nodes, doubts = ([], [made]) if isinstance(made, Finding) else made
-    return Done(Outcome(tuple(nodes), (*each.log.findings, *doubts), bool(each.log.nodes), seen), questions)
+    return Outcome(tuple(nodes), (*each.log.findings, *doubts), bool(each.log.nodes), seen)
 
 
 def _tells(probe: Run) -> bool:

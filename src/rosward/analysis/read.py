@@ -17,6 +17,7 @@ from rosward.deployment.request import Request
 from rosward.effects.shell import shell
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
+from rosward.engine.remembered import memory_here
 from rosward.guard import Steps
 from rosward.models.tables import own_models
 from rosward.records import NamedTuple
@@ -29,6 +30,7 @@ from rosward.source.workspace import Workspace
 
 if TYPE_CHECKING:
     from rosward.analysis.compiled import Compiled
+    from rosward.analysis.kept_programs import Keeper
     from rosward.analysis.summaries import Summaries
     from rosward.cache.store import Store
 
@@ -92,9 +94,10 @@ def read_sources(
     )
     if not (workspace.files or workspace.launch_files or workspace.cpp_sources or request.nodes):
         raise NothingToReadError(f"nothing to read: no Python, C++ or launch file in {', '.join(map(str, wanted))}")
-    compiled = _compiled(workspace, distro, bounds) if workspace.cpp_sources else None
     folders = tuple(Path(m) for m in models)
-    summaries = None if store is None else _summaries(store, folders, workspace)
+    known = None if store is None else _Store.of(store, folders)
+    compiled = _compiled(workspace, distro, bounds, folders, known) if workspace.cpp_sources else None
+    summaries = None if known is None else _summaries(known, workspace)
     sources = SourceTree(
         workspace, [Path(u) for u in underlays], net=bounds.net, compiled=compiled, summaries=summaries
     )
@@ -111,21 +114,44 @@ def read_sources(
     return SourcesRead(workspace, sources, plan, library, folders, distro, bounds)
 
 
-def _compiled(workspace: Workspace, distro: Distro, budget: Budget) -> Compiled:
+class _Store(NamedTuple):
+    """A store, and for which rosward and which models of the user it is asked."""
+
+    store: Store
+    version: str
+    models: list[list[str]]
+
+    @classmethod
+    def of(cls, store: Store, folders: Sequence[Path]) -> _Store | None:
+        """None where what the models say cannot be told."""
+        from rosward.analysis.models_state import models_state
+        from rosward.cache.version import version_key
+
+        models = models_state(folders)
+        return None if models is None else cls(store, version_key(), models)
+
+
+def _compiled(
+    workspace: Workspace, distro: Distro, budget: Budget, folders: Sequence[Path], known: _Store | None
+) -> Compiled:
     """The programs in C++: what reads them is loaded where there are some."""
     from rosward.analysis.compiled import Compiled
+    from rosward.analysis.kept_programs import InMemory, InStore
 
-    return Compiled(workspace, distro, net=budget.net)
+    keeper: Keeper | None = None
+    memory = memory_here()
+    if known is not None:
+        keeper = InStore(*known, distro.value, str(workspace.root))
+    elif memory is not None and not folders:  # what the user's own models say, nobody remembers
+        keeper = InMemory(memory)
+    return Compiled(workspace, distro, net=budget.net, keeper=keeper)
 
 
-def _summaries(store: Store, folders: Sequence[Path], workspace: Workspace) -> Summaries | None:
+def _summaries(known: _Store, workspace: Workspace) -> Summaries:
     """What a store knows of the files."""
-    from rosward.analysis.models_state import models_state
     from rosward.analysis.summaries import Summaries
-    from rosward.cache.version import version_key
 
-    models = models_state(folders)
-    return None if models is None else Summaries(store, version_key(), models, str(workspace.root))
+    return Summaries(*known, str(workspace.root))
 
 
 def silent(_what: str, _done: int, _all: int) -> None:

@@ -27,9 +27,11 @@ from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
 from rosward.source.text import decode, place_name, read_bytes
 from rosward.source.workspace import Package, SourceFile, Workspace
+from rosward.source.yaml_documents import YamlDocuments
 
 if TYPE_CHECKING:
     from rosward.analysis.compiled import Compiled
+    from rosward.analysis.linked_functions import LinkedFunction
     from rosward.analysis.summaries import Summaries
     from rosward.frontends.cpp.symbols import CppSymbols
 
@@ -57,6 +59,8 @@ class SourceTree:
         self.findings = Findings() if compiled is None else compiled.findings
         self._net = net
         self._memory = memory_here()
+        self.documents = YamlDocuments() if self._memory is None else self._memory.documents
+        """The YAML files that were read for what launch files start."""
         self.python_files: dict[str, int] = {}
         """The Python files that were read, and how many lines each has."""
         self._resolver = ImportResolver(workspace)
@@ -117,15 +121,21 @@ class SourceTree:
     def created(self, module: Module, facts: LibraryFacts) -> Iterable[Creation]:
         """What in a module would create an entity."""
         summary = self._summarised.get(module)
-        return creations_of(module, facts) if summary is None else summary.created
+        if summary is not None:
+            return summary.created
+        if self._memory is not None:
+            return self._memory.derived(module, facts, lambda: tuple(creations_of(module, facts)))
+        return creations_of(module, facts)
 
     def main_calls(self, module: Module) -> Set[str]:
         """See `summary.main_calls`."""
         summary = self._summarised.get(module)
         return main_calls(module) if summary is None else summary.main_calls
 
-    def keep_summaries(self, facts: LibraryFacts) -> None:
-        """Keep what the next run needs of each file that does not change; to be called when all is done."""
+    def keep(self, facts: LibraryFacts) -> None:
+        """Keep what the next run needs of each file and program that does not change; to be called when all is done."""
+        if self._compiled is not None:
+            self._compiled.keep()
         if self._summaries is not None:
             self._summaries.keep(self._lowered, self.python_files, facts)
 
@@ -142,6 +152,20 @@ class SourceTree:
     def program(self, name: str) -> CppSymbols | None:
         """The names of a program in C++."""
         return None if self._compiled is None else self._compiled.program(name)
+
+    def program_digest(self, name: str) -> str:
+        """What tells a program in C++ from any other; '' where there is none."""
+        return "" if self._compiled is None else self._compiled.digest(name)
+
+    def creating_functions(
+        self, creating: frozenset[str], name: str, wanted: Callable[[str], bool]
+    ) -> Mapping[str, Sequence[LinkedFunction]]:
+        """The functions of a program in C++ that would create an entity, by file: of those of its files that are wanted."""
+        return {} if self._compiled is None else self._compiled.creating_functions(name, creating, wanted)
+
+    def component_places(self, name: str) -> Sequence[Place]:
+        """Where the class is declared of which a program in C++ makes a component."""
+        return () if self._compiled is None else self._compiled.component_places(name)
 
     def plugin(self, name: str) -> Entry | None:
         """How a class in C++ starts that is loaded by its name."""

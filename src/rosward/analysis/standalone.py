@@ -125,7 +125,5 @@ def _planned(read: SourcesRead, runner: Runner, progress: Progress, *, assumed: 
 
 def _is_made(read: SourcesRead, entry: Entry, found: Sequence[Outcome]) -> bool:
     """Whether an executable makes the component that an entry is about: then nobody has to be assumed who does."""
-    program = read.sources.program(entry.program)
     made = {place for each in found for place in each.seen.instantiated}
-    *scope, name = entry.classes[0].removeprefix("::").split("::")
-    return program is not None and any(symbol.place in made for symbol in program.at(tuple(scope), name))
+    return any(place in made for place in read.sources.component_places(entry.program))

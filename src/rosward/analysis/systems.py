@@ -87,7 +87,10 @@ class Outset(NamedTuple):
     @classmethod
     def of(cls, read: SourcesRead) -> Outset:
         """That of sources which were read."""
-        files, declarations = WorkspaceFiles(read.sources.files), Declarations(read.models, net=read.budget.net)
+        files, declarations = (
+            WorkspaceFiles(read.sources.files),
+            Declarations(read.models, net=read.budget.net, documents=read.sources.documents),
+        )
         plan = read.plan
         return cls(
             read.workspace,

@@ -13,6 +13,7 @@ class P(rqt_gui_py.plugin.Plugin): …              # nothing here makes a P, bu
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from typing import final
 
 from rosward.analysis.seen import ClassSeen, Seen
@@ -38,8 +39,8 @@ def unreached_of(
     if names:
         from rosward.analysis.unreached_linked import unreached_linked
 
-        programs = [p for p in map(sources.program, names) if p is not None]
-        found += unreached_linked(seen, programs, facts.creating, everywhere=everywhere)
+        functions = partial(sources.creating_functions, facts.creating)
+        found += unreached_linked(seen, names, functions, everywhere=everywhere)
     return found
 
 

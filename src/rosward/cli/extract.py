@@ -8,6 +8,7 @@ import sys
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
+from rosward.cli.kept import store_of
 from rosward.cli.reviewing import add_review, findings_text, reviewed_result, scan_of, write_baseline
 from rosward.cli.shared import (
     WrongUseError,
@@ -172,9 +173,11 @@ def _write(
 ) -> tuple[list[str], Reviewed]:
     """What was written, and the findings with those of writing."""
     from rosward.outputs.files import write_outputs
+    from rosward.outputs.graphs.pictures import Pictures
     from rosward.outputs.writing import Material
     from rosward.suppression.judge import of_no_file
 
+    store = store_of(options)
     try:
         written = write_outputs(
             Material(
@@ -184,6 +187,7 @@ def _write(
                 options.types,
                 widened,
                 background,
+                Pictures(store),
             ),
             options.output,
             options.format,
@@ -191,6 +195,8 @@ def _write(
         )
     except OSError as error:
         raise WrongUseError(f"cannot write to {options.output}: {error.strerror or error}") from error
+    if store is not None:
+        store.close()
     note_failures(options, written.findings)
     paths = written.paths
     if options.write_baseline is not None:

@@ -6,7 +6,7 @@ An effect keeps abstract values; `naming.collect` turns them into names.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable
+from collections.abc import Collection, Container, Iterable
 from typing import TYPE_CHECKING, Protocol, final
 
 from rosward.domain.compound import External
@@ -133,12 +133,12 @@ class EffectLog:
         self.ends: list[frozenset[tuple[object, ...]]] = []
         self.flows: ProcessFlows | None = None  # where that was asked for
         self.remembered: dict[object, object] = {}  # what was computed of its configuration, for who asks again
-        self._addresses: set[int] = set()
+        self._at: dict[int, dict[NodeEffect, None]] = {}
 
     def add_node(self, machine: Execution, effect: NodeEffect) -> None:
         """Record a node."""
         self.nodes[effect] = None
-        self._addresses.add(effect.address)
+        self._at.setdefault(effect.address, {})[effect] = None
         self._done(machine, ("node", effect.address))
 
     def add_entity(self, machine: Execution, effect: EntityEffect) -> None:
@@ -189,7 +189,13 @@ class EffectLog:
 
     def is_node(self, address: int) -> bool:
         """Whether the object at an address is a node."""
-        return address in self._addresses
+        return address in self._at
+
+    def nodes_at(self, addresses: Collection[int]) -> list[NodeEffect]:
+        """The nodes at some addresses, in the order in which they were recorded."""
+        if len(addresses) == 1:
+            return [effect for address in addresses for effect in self._at.get(address, ()) if effect in self.nodes]
+        return [effect for effect in self.nodes if effect.address in addresses]
 
     def leave_out(self, nodes: Iterable[NodeEffect], entities: Container[EntityEffect]) -> None:
         """Forget nodes that have nothing but these entities: they are told elsewhere."""

@@ -43,6 +43,9 @@ class Sources(Protocol):
     def program(self, name: str) -> Symbols | None:
         """The names of a program of a language with a linker (`Entry.program`); None where it cannot be read (a finding has said so)."""
 
+    def program_digest(self, name: str) -> str:
+        """What tells such a program from any other; '' where it cannot be read."""
+
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether `package.msg` (srv, action) has an interface of that name; None where the package is not known."""
 

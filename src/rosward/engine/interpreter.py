@@ -122,6 +122,8 @@ class Interpreter(Answers):
         """What an operation makes is too large to keep: its result is not known."""
         if hasattr(op, "dst"):
             frame.registers[op.dst] = self.unknown(Cause.LIMIT, "parts of a tuple")
+        if self.watch is not None:
+            self.watch.gave_up(op, frame)
 
     def spend(self, steps: int) -> None:
         """Something that takes as long as this many steps: a native that computes, a join of much."""

@@ -50,6 +50,9 @@ class Watcher(Protocol):
     def schedule(self, machine: Engine, entry: Scheduled) -> None:
         """A callback is registered here."""
 
+    def gave_up(self, op: ops.Op, frame: Frame) -> None:
+        """What an operation makes is too large to keep; control goes on behind it."""
+
     def effect(self, machine: Engine, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""
 

@@ -37,6 +37,10 @@ class NoSources:
         """No program."""
         return None
 
+    def program_digest(self, _name: str) -> str:
+        """None."""
+        return ""
+
     def interface_has(self, _module: str, _name: str) -> bool | None:
         """Not known."""
         return None

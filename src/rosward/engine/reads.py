@@ -93,6 +93,12 @@ class RecordedSources:
         self._note("program", name, "" if found is None else found.digest)
         return found
 
+    def program_digest(self, name: str) -> str:
+        """See `Sources`."""
+        found = self._sources.program_digest(name)
+        self._note("program", name, found)
+        return found
+
     def interface_has(self, module: str, name: str) -> bool | None:
         """See `Sources`."""
         self._note("interface_has", module, name)

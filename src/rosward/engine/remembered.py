@@ -17,12 +17,13 @@ import hashlib
 from collections.abc import Callable, Collection, Hashable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from typing import TYPE_CHECKING, Any, Final, final
+from typing import TYPE_CHECKING, Any, Final, TypeVar, final
 
 from rosward.ir.program import MODEL_PREFIX
 from rosward.models.ros.interfaces import message_name
 from rosward.records import NamedTuple
 from rosward.rules import INTERNAL_ERROR, KILLED, TIME_LIMIT
+from rosward.source.yaml_documents import YamlDocuments
 
 if TYPE_CHECKING:
     from rosward.engine.found import Sources
@@ -34,6 +35,7 @@ __all__ = ["PROGRAM", "Lowered", "Memory", "ask", "depends_on_the_machine", "mem
 
 
 PROGRAM: Final = "**"
+T = TypeVar("T")
 
 
 class Lowered(NamedTuple):
@@ -60,9 +62,14 @@ class Memory:
         self._runs: dict[Hashable, _Kept] = {}
         self._lowered: dict[str, tuple[str, Lowered]] = {}
         self._answers: dict[Question, bytes] = {}
+        self._derived: dict[int, tuple[object, dict[Hashable, Any]]] = {}
+        """What was made of what a process did, or of a file that was lowered, by the identity of that."""
         self.touched: set[str] = set()
         self.used: set[Hashable] = set()
         self._read: set[str] = set()
+        self.documents = YamlDocuments()
+        self.programs: object = None
+        """What is known of the programs in C++, for whoever links them."""
         self.ran = 0
         """How many processes were run."""
 
@@ -82,6 +89,9 @@ class Memory:
         """Forget all processes but these, and the files that were not read since the sources changed."""
         self._runs = {key: kept for key, kept in self._runs.items() if key in used}
         self._lowered = {file: kept for file, kept in self._lowered.items() if file in self._read}
+        there = {id(kept.run) for kept in self._runs.values()}
+        there.update(id(lowered.module) for _, lowered in self._lowered.values())
+        self._derived = {key: known for key, known in self._derived.items() if key in there}
 
     def lowered(self, file: str, content: str, lower: Callable[[], Lowered]) -> Lowered:
         """The file of this content as it was lowered before, else as it is now."""
@@ -90,6 +100,14 @@ class Memory:
         if known is None or known[0] != content:
             known = self._lowered[file] = content, lower()
         return known[1]
+
+    def derived(self, of: object, key: Hashable, make: Callable[[], T]) -> T:
+        """What was made before of what a process did, or of a lowered file, which decides it together with the key; else it is made now."""
+        _, known = self._derived.setdefault(id(of), (of, {}))
+        if key not in known:
+            known[key] = make()
+        found: T = known[key]
+        return found
 
     def run(self, key: Hashable, sources: Sources, run: Callable[[], tuple[Any, tuple[Question, ...] | None]]) -> Any:
         """What a process did, if what it asked has the same answers; else it is run. Without questions nothing is kept of it."""
@@ -142,8 +160,7 @@ def ask(sources: Sources, question: Question) -> object:
     if name == "module":
         return "" if str(rest[0]).startswith(MODEL_PREFIX) else sources.content(str(rest[0]))
     if name == "program":
-        found = sources.program(str(rest[0]))
-        return "" if found is None else found.digest
+        return sources.program_digest(str(rest[0]))
     if name == "interface_definition":
         of_name = message_name(str(rest[0])) if len(rest) == 1 else None
         return sources.interface_definition(*(given if len(given) > 1 else of_name or ("", "msg", "", "")))

@@ -9,14 +9,14 @@ nobody asks, nothing is noted.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import options, reasons_of
-from rosward.domain.compound import External, Partial, Tuple
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Slice, Tuple
 from rosward.domain.slots import Pointer, Slot
-from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.domain.values import Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ _DEPTH: Final = 6
 
 Place = int | tuple[object, ...]
 """Where a value leads: the address of an object, or ('slot', address, key, how) for a part of one, as `_placed` says."""
+Places = Callable[[Value], Iterator[Place]]
 
 
 def refs_of(value: Value) -> Iterator[int]:
@@ -130,7 +131,7 @@ _NO_SET: Final[Any] = frozenset()
 
 @final
 class Seen:
-    """What was seen of one operation in one activation. There are very many, which hold little: what is empty is shared.
+    """What was seen of one operation in one activation. There are very many, which hold little: what is not said stands in the class.
 
     `refs`: the objects that its results are,
     `parts`: those of each of several; `reasons` and `origins`: those of its results; `several`: it gave more than one value.
@@ -141,60 +142,30 @@ class Seen:
     `wrote` those that it writes to, `natives` the models in code, and `strange` the names of code that nobody knows.
     """
 
-    __slots__ = (
-        "alive",
-        "bound",
-        "callees",
-        "calls",
-        "cells",
-        "effects",
-        "externals",
-        "functions",
-        "gave",
-        "keys",
-        "last",
-        "made",
-        "natives",
-        "opaque",
-        "origins",
-        "parts",
-        "reads",
-        "reasons",
-        "refs",
-        "scheduled",
-        "several",
-        "strange",
-        "summaries",
-        "swallows",
-        "wrote",
-    )
-
-    def __init__(self) -> None:
-        self.alive = False
-        self.last: tuple[Value, ...] = ()
-        self.gave: Value | None = None  # the last one, of an operation that gives one
-        self.reads: tuple[int, ...] | None = None  # its operands, where somebody has asked for them
-        self.several = False
-        self.swallows = False
-        self.opaque = False
-        self.refs: set[Place] = _NO_SET
-        self.cells: set[int] = _NO_SET
-        self.wrote: set[int] = _NO_SET
-        self.parts: dict[int, set[Place]] = _NO_DICT
-        self.reasons: dict[Reason, None] = _NO_DICT
-        self.origins: dict[Origin, None] = _NO_DICT
-        self.externals: dict[str, None] = _NO_DICT
-        self.keys: dict[int, Value | None] = _NO_DICT
-        self.functions: dict[Value, None] = _NO_DICT
-        self.calls: dict[object, Called] = _NO_DICT
-        self.callees: dict[Activation, None] = _NO_DICT
-        self.summaries: dict[tuple[str, int], None] = _NO_DICT
-        self.effects: dict[tuple[int, EntityEffect | SentEffect], None] = _NO_DICT
-        self.scheduled: dict[tuple[int, Scheduled], None] = _NO_DICT
-        self.bound: dict[object, Bound] = _NO_DICT
-        self.made: dict[int, object] = _NO_DICT
-        self.natives: dict[str, None] = _NO_DICT
-        self.strange: dict[str, None] = _NO_DICT
+    alive = False
+    gave: Value | None = None  # the last value, of an operation that gives one
+    called: Value | None = None  # the last function, of a call
+    several = False
+    swallows = False
+    opaque = False
+    refs: set[Place] = _NO_SET
+    cells: set[int] = _NO_SET
+    wrote: set[int] = _NO_SET
+    parts: dict[int, set[Place]] = _NO_DICT
+    reasons: Collection[Reason] = ()
+    origins: Collection[Origin] = ()
+    externals: dict[str, None] = _NO_DICT
+    keys: dict[int, Value | None] = _NO_DICT
+    functions: dict[Value, None] = _NO_DICT
+    calls: dict[object, Called] = _NO_DICT
+    callees: dict[Activation, None] = _NO_DICT
+    summaries: dict[tuple[str, int], None] = _NO_DICT
+    effects: dict[tuple[int, EntityEffect | SentEffect], None] = _NO_DICT
+    scheduled: dict[tuple[int, Scheduled], None] = _NO_DICT
+    bound: dict[object, Bound] = _NO_DICT
+    made: dict[int, object] = _NO_DICT
+    natives: dict[str, None] = _NO_DICT
+    strange: dict[str, None] = _NO_DICT
 
     def note(self, name: str, key: object, value: object = None) -> None:
         """Something is in one of the dicts from now on."""
@@ -212,6 +183,16 @@ class Seen:
         elif several := set(found):
             setattr(self, name, several)
 
+    def _say(self, name: str, found: Collection[object]) -> None:
+        """These reasons, or origins, are said of its results. Where they are always the same, they are not copied."""
+        known = getattr(self, name)
+        if not known:
+            setattr(self, name, found)
+        elif known.__class__ is dict:
+            known.update(dict.fromkeys(found))
+        elif known != found:
+            setattr(self, name, dict.fromkeys((*known, *found)))
+
     def _part(self, number: int, found: Iterable[Place]) -> None:
         """The objects that one of several results is."""
         if self.parts is _NO_DICT:
@@ -226,6 +207,8 @@ class Seen:
         self.opaque = self.opaque or other.opaque
         for name in _SETS:
             self.hold(name, getattr(other, name))
+        for name in _SAID:
+            self._say(name, getattr(other, name))
         for number, refs in other.parts.items():
             self._part(number, refs)
         for register, value in other.keys.items():
@@ -236,54 +219,75 @@ class Seen:
 
     def key(self, register: int, value: Value) -> None:
         """The operation finds a value in a register that may name a slot: what it is, where it is always the same constant."""
-        found = value if value.__class__ is Const and all(o.settled for o in value.origins) else None
-        if register not in self.keys:
-            self.note("keys", register, found)
-        elif self.keys[register] != found:
-            self.keys[register] = None
+        keys = self.keys
+        if keys is _NO_DICT:
+            keys = self.keys = {}
+        known = keys.get(register, value)
+        if known is not None:
+            settled = value.__class__ is Const and (not value.origins or all(o.settled for o in value.origins))
+            keys[register] = value if settled and known == value else None
 
     def constant(self, register: int) -> object:
         """The constant that a register always holds here; None where it does not."""
         found = self.keys.get(register)
         return found.value if isinstance(found, Const) else None
 
-    def give(self, values: tuple[Value, ...], places: Callable[[Value], Iterator[Place]] = refs_of) -> None:
-        """The operation gave these values."""
-        self.alive = True
-        if len(values) == len(self.last) and all(a is b for a, b in zip(values, self.last, strict=True)):
+    def give(self, value: Value, places: Places = refs_of) -> None:
+        """The operation gave this value. Often it is the one that it gave before, or the same made anew."""
+        before, self.gave = self.gave, value
+        if value is before or (value.__class__ in _COMPARED and value == before):
             return
-        self.last = values
-        if len(values) > 1:
-            for number, value in enumerate(values):
-                self._part(number, places(value))
-        for value in values:
-            if value.__class__ is Const:
-                for origin in value.origins:
-                    self.note("origins", origin)
-                continue
-            for option in options(value):
-                if option.__class__ is Const or option.__class__ is Text:
-                    for origin in option.origins:
-                        self.note("origins", origin)
-                elif option.__class__ is Unknown:
-                    self.opaque = self.opaque or option.hint not in _UNCHANGING
-                    for reason in option.reasons:
-                        self.note("reasons", reason)
-                elif option.__class__ is External:
-                    self.note("externals", option.name)
-            if value.__class__ is Text:
-                for reason in reasons_of(value):
-                    self.note("reasons", reason)
+        for option in options(value):
+            self._give(option, places)
+        if value.__class__ is Text:
+            self._say("reasons", reasons_of(value))
+
+    def give_several(self, values: Iterable[Value], places: Places = refs_of) -> None:
+        """The operation gave these values, each its own result."""
+        for number, value in enumerate(values):
+            self._part(number, places(value))
+            self.give(value, places)
+
+    def _give(self, value: Value, places: Places) -> None:
+        """One of the alternatives. Most say one thing."""
+        if value.__class__ is Ref:
+            if self.refs is _NO_SET:
+                self.refs = {value.address}
+            else:
+                self.refs.add(value.address)
+        elif value.__class__ is Unknown:
+            if value.hint not in _UNCHANGING:
+                self.opaque = True
+            if value.reasons != self.reasons:
+                self._say("reasons", value.reasons)
+        elif value.__class__ is Const or value.__class__ is Text:
+            if value.origins:
+                self._say("origins", value.origins)
+        elif value.__class__ is External:
+            self.note("externals", value.name)
+        elif value.__class__ not in SILENT:
             self.hold("refs", places(value))
 
 
 _UNCHANGING: Final = frozenset(("str", "int", "float", "bool", "bytes", "complex", "NoneType"))
 """Types whose objects never change."""
+SILENT: Final = frozenset((BoundMethod, Function, ModuleValue, Native, Range, Slice))
+"""Values of which nothing is noted: they are no object, and hold none as a part."""
+_COMPARED: Final = frozenset((Choice, Tuple))
+"""Values that are compared more quickly than looked through."""
 _SETS: Final = ("refs", "cells", "wrote")
+_SAID: Final = ("reasons", "origins")
 _GATHERED: Final = (
-    *("reasons", "origins", "effects", "externals", "scheduled", "functions", "calls", "callees", "summaries"),
+    *("effects", "externals", "scheduled", "functions", "calls", "callees", "summaries"),
     *("bound", "made", "natives", "strange"),
 )
+
+
+REACHED: Final = Seen()
+"""Of all operations of which nothing more is seen than that they ran."""
+ALIVE: Final = Seen()
+"""The same of those behind which control came out."""
+ALIVE.alive = True
 
 
 @final
@@ -301,10 +305,13 @@ class Activation:
         self.begun: list[set[Place]] = []  # where its parameters lead, of a body in C++
 
     def of(self, number: int) -> Seen:
-        """That of an operation, by its number; made where it is the first time."""
+        """That of an operation, by its number, to note something of it."""
         found = self.seen.get(number)
-        if found is None:
+        if found is None or found is REACHED:
             found = self.seen[number] = Seen()
+        elif found is ALIVE:
+            found = self.seen[number] = Seen()
+            found.alive = True
         return found
 
     def __repr__(self) -> str:

@@ -10,14 +10,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from types import FunctionType
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
-from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Unknown, Value
+from rosward.engine.noted import CELLED, finding
 from rosward.engine.registered import Registered, period_of
-from rosward.engine.seen import Activation, Bound, Called, Given, Handed, Seen, places_of, refs_of
+from rosward.engine.seen import (
+    ALIVE,
+    REACHED,
+    SILENT,
+    Activation,
+    Bound,
+    Called,
+    Given,
+    Handed,
+    Seen,
+    places_of,
+    refs_of,
+)
 from rosward.ir import cpp, ops
 from rosward.ir.program import CPP
 from rosward.ir.registers import reads, writes
@@ -56,6 +70,7 @@ class Watch:
         self.begun: dict[Activation, None] = {}  # those that nothing called: the main body
         self.entries: dict[Scheduled, Registered] = {}
         self._remembered: dict[object, tuple[str, int]] = {}
+        self._reads: dict[ops.Op, tuple[int, ...]] = {}  # the operands of each
         self._running: list[tuple[Frame, Seen, tuple[int, ...]]] = []  # the operations of C++, with what they read
 
     def close(self) -> None:
@@ -94,9 +109,10 @@ class Watch:
     def _of(self, machine: Engine, depth: int) -> Seen:
         """That of what runs in a frame."""
         frame = machine.frames[depth]
-        for running, seen, _ in reversed(self._running):
-            if running is frame:
-                return seen
+        if self._running:
+            for running, seen, _ in reversed(self._running):
+                if running is frame:
+                    return seen
         return self._activation(machine, frame, depth).of(frame.op.number)
 
     def schedule(self, machine: Engine, entry: Scheduled) -> None:
@@ -106,6 +122,14 @@ class Watch:
         period = period_of(machine) if entry.event == "timer" else None
         registered = Registered(tuple(_receivers(machine)), self.at(machine), _turn(machine), among, period)
         self.entries.setdefault(entry, registered)
+
+    def gave_up(self, op: ops.Op, frame: Frame) -> None:
+        """What an operation makes is too large to keep; control goes on behind it."""
+        if frame.seen is not None:
+            seen = frame.seen.of(op.number)
+            seen.alive = True
+            for register in writes(op):
+                seen.give(frame.registers[register])
 
     def effect(self, machine: Engine, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""
@@ -166,15 +190,29 @@ class Watch:
             return
         frame = machine.frames[-1]
         registers = frame.registers
-        operands = [(r, registers[r]) for r in dict.fromkeys(reads(frame.op))] if registers else []
+        standing: dict[int, tuple[int, ...]] = {}  # by the identity of the value
+        for register in self._read_by(frame.op) if registers else ():
+            value = id(registers[register])
+            standing[value] = (*standing[value], register) if value in standing else (register,)
+        values = (*args, *keywords.values()) if keywords else args
+        where = tuple([standing.get(id(value), ()) for value in values])
+        what = tuple(map(_refs_in, values))
+        key = (function.code.key, function.cells, where, what, *keywords)
+        seen = self.at(machine)
+        if key not in seen.calls:
+            given = [Handed(frozenset(r), refs) for r, refs in zip(where, what, strict=True)]
+            named = tuple(zip(keywords, given[len(args) :], strict=True))
+            seen.note("calls", key, Called(function, tuple(given[: len(args)]), named))
 
-        def handed(value: Value) -> Handed:
-            return Handed(frozenset(r for r, v in operands if v is value), frozenset(refs_of(value)))
-
-        given = tuple(map(handed, args))
-        named = tuple((name, handed(value)) for name, value in keywords.items())
-        key = (function.code.key, function.cells, given, named)
-        self.at(machine).note("calls", key, Called(function, given, named))
+    def _read_by(self, op: ops.Op) -> tuple[int, ...]:
+        """The operands of an operation, each once."""
+        found = self._reads.get(op)
+        if found is None:
+            registers = (
+                (a.register for m in op.members for a in m.arguments) if isinstance(op, cpp.Initialise) else reads(op)
+            )
+            found = self._reads[op] = tuple(dict.fromkeys(registers))
+        return found
 
     def swallows(self, machine: Engine) -> None:
         """The `with` that is running may swallow an exception."""
@@ -230,14 +268,12 @@ class Watch:
 
     def _noting_cpp(self, cls: type[ops.Op], handler: Handler) -> Handler:
         """The handler of a kind of operation, noting what it gives; what it does itself is its own, not that of its blocks."""
-        structured, celled = cls in _STRUCTURED and cls is not ops.ForEach, cls in _CELLED
+        structured, celled = cls in _STRUCTURED and cls is not ops.ForEach, cls in CELLED
 
         def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-            seen = activation.seen.get(op.number) or activation.of(op.number)
-            operands = seen.reads
-            if operands is None:
-                operands = seen.reads = tuple(reads(op)) if cls is not cpp.Initialise else _of_members(op)
+            seen = activation.of(op.number)
+            operands = self._reads.get(op) or self._read_by(op)
             if celled:
                 seen.hold("cells", (frame.cells[op.cell],))
             if cls in _KEYED_CPP:
@@ -254,94 +290,68 @@ class Watch:
             if structured:
                 seen.alive = seen.alive or result is not False
             elif result is not False:
+                seen.alive = True
                 registers = frame.registers
-                seen.give(tuple([registers[r] for r in writes(op)]), places_of)
+                written = [registers[r] for r in writes(op)]
+                if len(written) > 1:
+                    seen.give_several(written, places_of)
+                elif written:
+                    seen.give(written[0], places_of)
             return result
 
         return noting
 
     def _noting(self, cls: type[ops.Op], handler: Handler) -> Handler:
-        """The handler of a kind of operation, noting what it gives."""
-        if cls is ops.Call:
-            return self._noting_call(handler)
-        if cls in (ops.LoadCell, ops.StoreCell):
-            return self._noting_cell(cls, handler)
-        if cls in _STRUCTURED:
+        """The handler of a kind of operation, noting what it finds and what it gives. Of most there is nothing but the way of control."""
+        before = finding(cls)
+        several = cls is ops.Unpack
+        single = hasattr(cls, "dst") and cls not in _UNSEEN
 
-            def structured(machine: Engine, op: Any, frame: Frame) -> bool | None:
-                activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-                seen = activation.of(op.number)
-                result = handler(machine, op, frame)
-                seen.alive = seen.alive or result is not False
-                return result
-
-            return structured
-
-        keyed = cls in _KEYED
-        given, single = cls not in _UNSEEN, cls not in _SEVERAL and "dst" in cls.__slots__
-
-        def straight(machine: Engine, op: Any, frame: Frame) -> bool | None:
+        def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-            seen = activation.seen.get(op.number) or activation.of(op.number)
-            if keyed:
-                operands = seen.reads
-                if operands is None:
-                    operands = seen.reads = tuple(reads(op))
-                for register in operands:
-                    seen.key(register, frame.registers[register])
+            known, number = activation.seen, op.number
+            if before is not None:
+                before(activation.of(number), op, frame)
+            elif number not in known:
+                known[number] = REACHED
             result = handler(machine, op, frame)
-            if result is not False:
-                if single and given:
-                    value = frame.registers[op.dst]
-                    if value is not seen.gave:
-                        seen.gave = value
-                        seen.give((value,))
-                elif given:
-                    registers = frame.registers
-                    seen.give(tuple([registers[r] for r in writes(op)]))
+            if result is False:
+                return False
+            seen = known[number]
+            if single:
+                value = frame.registers[op.dst]
+                if value.__class__ not in SILENT and (
+                    value.__class__ is not Const or value.origins
+                ):  # most say nothing
+                    if seen is REACHED or seen is ALIVE:
+                        seen = activation.of(number)
+                    seen.give(value)
+            elif several:
+                seen = activation.of(number)
+                seen.give_several([frame.registers[r] for r in op.dsts])
+            if seen is REACHED:
+                known[number] = ALIVE
+            else:
                 seen.alive = True
             return result
 
-        return straight
-
-    def _noting_call(self, handler: Handler) -> Handler:
-        def call(machine: Engine, op: ops.Call, frame: Frame) -> bool | None:
-            activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-            seen = activation.seen.get(op.number) or activation.of(op.number)
-            function = frame.registers[op.func]
-            for argument in op.arguments[:2]:
-                seen.key(argument.register, frame.registers[argument.register])
-            if function not in seen.functions:
-                seen.note("functions", function)
-                seen.several = seen.several or len([o for o in options(function) if o != NONE]) > 1
-            result = handler(machine, op, frame)
-            if result is not False:
-                seen.give((frame.registers[op.dst],))
-            return result
-
-        return call
-
-    def _noting_cell(self, cls: type[ops.Op], handler: Handler) -> Handler:
-        def cell(machine: Engine, op: Any, frame: Frame) -> bool | None:
-            activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-            seen = activation.of(op.number)
-            seen.hold("cells", (frame.cells[op.cell],))
-            result = handler(machine, op, frame)
-            seen.give((frame.registers[op.dst],) if cls is ops.LoadCell else ())
-            return result
-
-        return cell
+        return _apart(noting)
 
 
-_KEYED: Final = frozenset({ops.Compare, ops.LoadItem, ops.StoreItem, ops.Build, ops.Intrinsic})
-"""Operations of which an operand may name a slot."""
+def _apart(handler: Handler) -> Handler:
+    """The same, with code of its own: CPython makes code quick for the types that it meets, which are others for each kind of operation."""
+    assert isinstance(handler, FunctionType)
+    made: Handler = FunctionType(
+        handler.__code__.replace(), handler.__globals__, handler.__name__, None, handler.__closure__
+    )
+    return made
+
+
 _UNSEEN: Final = frozenset({ops.Const, ops.Move, ops.Assume})
 """Operations of which nobody asks what they gave."""
-_SEVERAL: Final = frozenset({ops.Unpack})
 _STRUCTURED: Final = frozenset(
     {ops.If, ops.While, ops.ForEach, ops.Try, ops.With, ops.Return, ops.Break, ops.Continue, ops.Raise}
 )
-_CELLED: Final = frozenset({ops.LoadCell, ops.StoreCell, cpp.CellSlot})
 _KEYED_CPP: Final = frozenset({cpp.Invoke, cpp.InvokeMember, cpp.Item, cpp.Construct})
 _NOTHING_GIVEN: Final = Given(frozenset(), frozenset(), "none")
 
@@ -354,9 +364,15 @@ def _standing(machine: Engine, value: Value) -> Value:
     return value if cell is None else cell.attrs.get("value", value)
 
 
-def _of_members(op: cpp.Initialise) -> tuple[int, ...]:
-    """The registers with the arguments of bases and fields."""
-    return tuple(dict.fromkeys(a.register for m in op.members for a in m.arguments))
+_NO_REFS: Final = frozenset[int]()
+_LEADING_NOWHERE: Final = SILENT | {Const, Unknown}
+
+
+def _refs_in(value: Value) -> frozenset[int]:
+    """The objects that a value is or holds."""
+    if value.__class__ is Ref:
+        return frozenset((value.address,))
+    return _NO_REFS if value.__class__ in _LEADING_NOWHERE else frozenset(refs_of(value))
 
 
 def _width(signature: Signature) -> int:

@@ -157,6 +157,10 @@ def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any, item: int
     outside = body.pc
     ended: Point | None = None
     head = walker.point(body)
+    way = walker.way(op)
+    before_it = walker.heads.get(way)
+    if before_it is not None:  # whoever comes here again finds at least what was found then
+        head.join(before_it)
     for _ in range(_MOST_TURNS):
         walker.go(body, head.copy())
         before = body.pc
@@ -177,6 +181,7 @@ def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any, item: int
             break
     else:
         raise TooLongError
+    walker.heads[way] = head
     broken = body.broken
     if broken is None:
         body.pc = outside | body.left

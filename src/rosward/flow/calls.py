@@ -24,7 +24,7 @@ from rosward.flow.body import Body
 from rosward.flow.constructed import construct
 from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, of_library
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of, of_library
 from rosward.flow.partials import bound_in
 from rosward.flow.reading import arising, leads
 from rosward.flow.released import callees, released
@@ -246,7 +246,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     given = run_callees(walker, op, body, seen, pc=pc)
     result = NOTHING if given is None else given
     unknown = False
-    for callee in dict.fromkeys(callees(seen.functions)):
+    for callee in _apart(callees(seen.functions)):
         if isinstance(callee, (Native, External)) or (
             isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
         ):
@@ -272,6 +272,11 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     _register(walker, op, body, seen, marks, pc)
     if any(_spins(f) for f in callees(seen.functions)):
         walker.join_beside()
+
+
+def _apart(several: Iterable[Value]) -> Iterable[Value]:
+    """Of the methods of natives, one for each function: what all of them are bound to is known."""
+    return {c.function if isinstance(c, BoundMethod) else c: c for c in several}.values()
 
 
 def _spins(function: Value) -> bool:
@@ -324,7 +329,7 @@ def _register(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[
 
 def _hands(walker: Walker, function: Mark, seen: Seen) -> tuple[str, ...]:
     """The classes of what a function of a library calls a callback with."""
-    names = [n for root in function.roots if (n := library.name_of(root))]
+    names = [n for root in function.roots if (n := name_of(root))]
     names += [f"{f.module.name}.{f.code.qualname}" for f in callees(seen.functions) if isinstance(f, Function)]
     return next((hands for name in sorted(names) if (hands := walker.shape.said(name).hands)), ())
 

@@ -42,7 +42,7 @@ class Content:
             and self.base == other.base
             and self.size == other.size
             and self.any == other.any
-            and self.slots == other.slots
+            and (self.slots is other.slots or self.slots == other.slots)
         )
 
     __hash__ = None  # type: ignore[assignment]  # nobody looks for one
@@ -72,6 +72,10 @@ class Content:
         """The same with other slots."""
         return Content(self.base, self.any, self.size, slots)
 
+    def again(self) -> Content:
+        """The same, as a content that was put together anew."""
+        return Content(self.base, self.any, self.size, self.slots)
+
     def with_any(self, mark: Mark, size: int) -> Content:
         """The same with something more under keys that are not known; itself where that is not new."""
         joined = self.any.joined(mark)
@@ -81,34 +85,35 @@ class Content:
 
 
 EMPTY: Final = Content()
-
-
-def both(ours: Content, theirs: Content) -> Content:
-    """What covers two contents of one object."""
-    if ours is theirs or ours == theirs:
-        return ours
-    slots = dict(ours.slots)
-    for key, mark in theirs.slots.items():
-        known = slots.get(key)
-        slots[key] = mark.under(ours.base) if known is None else known.joined(mark)
-    for key in ours.slots:
-        if key not in theirs.slots:
-            slots[key] = slots[key].under(theirs.base)
-    return Content(ours.base | theirs.base, ours.any.joined(theirs.any), ours.size | theirs.size, slots)
-
-
 Layer = dict[Root, Content]
 """What stands in each of several objects."""
 
 
+def both(ours: Content, theirs: Content) -> Content:
+    """What covers two contents of one object; the first itself where that covers the second."""
+    if ours is theirs:
+        return ours
+    slots: dict[object, Mark] | None = None
+    known = ours.slots
+    if theirs.slots is not known:
+        for key, mark in theirs.slots.items():
+            mine = known.get(key)
+            merged = mark.under(ours.base) if mine is None else mine.joined(mark)
+            if merged is not mine:
+                if slots is None:
+                    slots = dict(known)
+                slots[key] = merged
+        if theirs.base:
+            for key, mine in known.items():
+                if key not in theirs.slots and (merged := mine.under(theirs.base)) is not mine:
+                    if slots is None:
+                        slots = dict(known)
+                    slots[key] = merged
+    base, any_, size = ours.base | theirs.base, ours.any.joined(theirs.any), ours.size | theirs.size
+    if slots is None and base == ours.base and any_ is ours.any and size == ours.size:
+        return ours
+    return Content(base, any_, size, known if slots is None else slots)
+
+
 class TooLongError(Exception):
     """The walk takes more steps, or a loop more turns, than it may."""
-
-
-def fewer(layers: tuple[Layer, ...]) -> tuple[Layer, ...]:
-    """The same in fewer layers. The oldest, which others share, stays as long as it is the larger part."""
-    oldest, *newer = layers
-    later: Layer = {}
-    for layer in newer:
-        later.update(layer)
-    return (oldest, later) if 2 * len(later) < len(oldest) else ({**oldest, **later},)

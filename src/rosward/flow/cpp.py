@@ -26,8 +26,8 @@ from rosward.flow.cpp_values import (
     value,
     write,
 )
-from rosward.flow.library import name_of, perform, stop
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, of_library, slot_of
+from rosward.flow.library import perform, stop
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, name_of, of_library, slot_of
 from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
 from rosward.ir import cpp, ops

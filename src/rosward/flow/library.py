@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
 from rosward.flow import arrays
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of
 from rosward.flow.outside import cleaned, comes_in, out
-from rosward.flow.reading import owners_of
+from rosward.flow.reading import opaque, owners_of
 
 if TYPE_CHECKING:
     from rosward.flow.body import Body
@@ -26,20 +26,8 @@ _KNOWN: Final = ("rclpy.", "tf2_ros.", "builtins.")
 """Their methods keep nothing of what they are given that they give back later, unless a model says so."""
 _FEW: Final = 12
 """So many objects the result of an unknown call is said to be itself; it leads to more."""
-
-
-def name_of(root: Root) -> str:
-    """The dotted name of what stands behind something of a library; '' where it is of no library."""
-    if isinstance(root, int):
-        return ""
-    if root[0] == "external":
-        return str(root[1])
-    if root[0] == "made":
-        return str(root[3])
-    if root[0] == "of":
-        owner = name_of(root[1])  # type: ignore[arg-type]  # a root
-        return f"{owner}.{root[2]}" if owner else ""
-    return ""
+_MANY: Final = 32
+"""Unknown code that reaches more objects may have written each into each: from then on they are one."""
 
 
 def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
@@ -99,7 +87,8 @@ def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
     if len(roots) > _FEW:
-        walker.shape.melt(roots)
+        walker.memory.merge(opaque(Mark(0, roots)))
+        roots = walker.shape.numbers.canonical(roots)
     return Mark(mask, roots | {root})
 
 
@@ -135,6 +124,9 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
         reached.update(walker.memory.reached(mark))
     walker.memory.write_any(reached, Mark(mask | given), mask)
     behind = frozenset[Root]().union(*(m.roots for m in everything))
+    if len(reached) > _MANY:
+        walker.memory.merge(reached)
     if len(behind) > _FEW:
-        walker.shape.melt(behind)
+        walker.memory.merge(opaque(Mark(0, behind)))
+        behind = walker.shape.numbers.canonical(behind)
     return Mark(mask | given, behind | {root})

@@ -50,6 +50,20 @@ def of_library(name: str) -> Root:
     return ("external", ".".join((*name.split(".", _MOST_PARTS)[:_MOST_PARTS], "*")))
 
 
+def name_of(root: Root) -> str:
+    """The dotted name of what stands behind something of a library; '' where it is of no library."""
+    if isinstance(root, int):
+        return ""
+    if root[0] == "external":
+        return str(root[1])
+    if root[0] == "made":
+        return str(root[3])
+    if root[0] == "of":
+        owner = name_of(root[1])  # type: ignore[arg-type]  # a root
+        return f"{owner}.{root[2]}" if owner else ""
+    return ""
+
+
 class Mark(NamedTuple):
     """What a register or a slot holds: the sources that the value itself depends on, and the objects that it leads to."""
 

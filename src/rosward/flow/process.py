@@ -26,7 +26,7 @@ from rosward.flow.content import Content, TooLongError
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
 from rosward.flow.memory import Memory
 from rosward.flow.said import wrong_marks
-from rosward.flow.shape import MeltedError, Shape
+from rosward.flow.shape import Shape
 from rosward.flow.walker import Handler, Walker
 from rosward.ir import ops
 from rosward.ir.program import CPP, PYTHON
@@ -74,16 +74,10 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     most = max(_LEAST, machine.precision.steps * _STEPS_EACH)
     walker = Walker(watch, Shape(machine), tables, most, machine.budget.watched)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
-    while True:
-        try:
-            complete = _settle(walker, machine) and complete
-        except MeltedError:
-            before, walker = walker, Walker(watch, walker.shape.afresh(), tables, most, walker.watched)
-            before.close()
-            continue
-        except TooLongError:
-            complete = False
-        break
+    try:
+        complete = _settle(walker, machine) and complete
+    except TooLongError:
+        complete = False
     complete = complete and not walker.lost
     more = 0 if complete else walker.sources.all
     flows = []
@@ -114,9 +108,15 @@ def _settle(walker: Walker, machine: Interpreter) -> bool:
     for _ in range(_ROUNDS):
         walker.changed = False
         _main(walker)
-        for entry in entries:
-            _callback(walker, entry)
-        if not walker.changed:
+        main_changed = walker.changed
+        for _ in range(_ROUNDS):
+            walker.changed = False
+            for entry in entries:
+                _callback(walker, entry)
+            if not walker.changed:
+                break
+            main_changed = True
+        if not main_changed:
             return True
     return False
 

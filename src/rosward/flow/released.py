@@ -10,9 +10,8 @@ from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial
 from rosward.domain.values import Const, Function, Value
 from rosward.effects.flows import RELEASED, Sink, Source
-from rosward.flow import library
 from rosward.flow.body import Body
-from rosward.flow.marks import Mark
+from rosward.flow.marks import Mark, name_of
 
 if TYPE_CHECKING:
     from rosward.engine.seen import Seen
@@ -24,7 +23,7 @@ def released(walker: Walker, op: ops.Call, body: Body, function: Mark, seen: See
     """What a watched function gives is a source of its own: what it is made of is told of the function."""
     if not walker.watched:
         return given
-    names = {library.name_of(root) for root in function.roots}
+    names = {name_of(root) for root in function.roots}
     for callee in callees(seen.functions):
         if isinstance(callee, Function):  # by its file, since the module that is started has another name
             names.add(f"{callee.code.file.removesuffix('.py').replace('/', '.')}.{callee.code.qualname}")

@@ -9,56 +9,23 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.flow.sinks import DEEP
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
-    from rosward.effects.flows import Sink
     from rosward.flow.content import Content, Layer
     from rosward.flow.marks import Mark, Root
-    from rosward.flow.sinks import Chain
+    from rosward.flow.tracker import Keys, Tracker
 
 MOST: Final = 6
 """So many calls of one activation are remembered, the last ones."""
-_MOST_SENT: Final = 256
-"""So many sinks and ways to them are told apart in a body."""
 
 
-@final
-class Tracker:
-    """What a walk reads and writes. `open`: it depends on more than that, so that it can't be remembered; `beside`: on what callbacks write."""
+class Written(NamedTuple):
+    """What a walk has left in one object: under these keys, or all of it."""
 
-    __slots__ = ("beside", "open", "placed", "reads", "sent", "writes")
-
-    def __init__(self) -> None:
-        self.reads: Layer = {}
-        self.writes: set[Root] = set()
-        self.placed: set[int] = set()
-        self.sent: dict[tuple[Sink, Chain | None], int] = {}
-        self.open = False
-        self.beside = False
-
-    def read(self, root: Root, content: Content) -> None:
-        """Content was read, as it stands where the walk began unless the walk itself has written it."""
-        if root not in self.writes:
-            self.reads.setdefault(root, content)
-
-    def send(self, sink: Sink, chain: Chain | None, mask: int) -> None:
-        """Something that depends on these sources was sent, through these statements."""
-        if len(self.sent) >= _MOST_SENT and (sink, chain) not in self.sent:
-            chain = None
-        self.sent[sink, chain] = self.sent.get((sink, chain), 0) | mask
-
-    def absorb(self, inner: Tracker, at: Chain) -> None:
-        """What a body inside read and wrote, which is called here."""
-        for root, content in inner.reads.items():
-            self.read(root, content)
-        self.writes |= inner.writes
-        self.placed |= inner.placed
-        for (sink, chain), mask in inner.sent.items():
-            self.send(sink, None if chain is None else (at + chain)[-DEEP:], mask)
-        self.open = self.open or inner.open
-        self.beside = self.beside or inner.beside
+    root: Root
+    keys: Keys
+    content: Content
 
 
 class Remembered(NamedTuple):
@@ -66,7 +33,7 @@ class Remembered(NamedTuple):
 
     given: tuple[object, ...]
     tracker: Tracker
-    writes: Layer
+    writes: tuple[Written, ...]
     result: Mark
     raising: int
     beside: int

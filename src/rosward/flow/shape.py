@@ -12,8 +12,9 @@ from rosward.domain.values import NONE, Class, Ref
 from rosward.effects.flows import Source
 from rosward.engine.seen import Activation, refs_of
 from rosward.flow.marks import Root
-from rosward.flow.remembered import Tracker
 from rosward.flow.said import marks_of
+from rosward.flow.store import Numbers
+from rosward.flow.tracker import Tracker
 from rosward.flow.trail import Trail
 from rosward.models.python.containers.lists import ITERATOR
 
@@ -35,16 +36,8 @@ _NAMES: Final = {
 """The attributes in which the models of the client library keep the name of an entity."""
 
 
-class MeltedError(Exception):
-    """Fewer objects are told apart than before."""
-
-
 _FIELDS: Final = ("__match_args__", "_fields")
 """The attributes in which a class keeps the names of its fields."""
-MELTED: Final[Root] = ("melted",)
-"""What stands for all objects that may be views of too many others."""
-_EVERYTHING: Final = ("", 0)
-"""All operations: where melting some was not enough, since the walk begins anew each time."""
 
 
 @final
@@ -54,10 +47,10 @@ class Shape:
     `inner`: the objects that belong to an attribute of another one (the header of a message), with that one and the name.
     """
 
-    def __init__(self, machine: Interpreter, melted: frozenset[tuple[str, int]] = frozenset(), spent: int = 0) -> None:
+    def __init__(self, machine: Interpreter) -> None:
         self._machine = machine
-        self._melted = melted  # the operations whose results are not told apart
-        self.spent = spent  # operations and objects that were looked at
+        self.numbers = Numbers()
+        self.spent = 0  # operations and objects that were looked at
         self.inner: dict[int, tuple[int, str]] = machine.inner_objects()
         self.many = {address for address, obj in machine.state.heap.items() if obj.many}
         self.placed: set[int] = set()  # what was made since the callback that runs began
@@ -81,29 +74,7 @@ class Shape:
 
     def made(self, activation: Activation, number: int, name: str = "", kind: str = "made") -> Root:
         """The object that an operation makes and that has no address; `name`: of what in a library it is the result."""
-        if self._melted and (_EVERYTHING in self._melted or (activation.code.key, number) in self._melted):
-            return MELTED
         return (kind, activation, number, name)
-
-    def melt(self, roots: Iterable[Root]) -> None:
-        """So many objects may be views of one another that they are one from now on: the walk begins anew."""
-        sites = set()
-        for root in roots:
-            inner = root
-            while not isinstance(inner, int) and inner[0] == "of":
-                inner = inner[1]  # type: ignore[assignment]  # a root
-            if not isinstance(inner, int) and inner[0] in ("made", "tuple"):
-                activation, number = inner[1:3]
-                assert isinstance(activation, Activation)
-                assert isinstance(number, int)
-                sites.add((activation.code.key, number))
-        if not sites <= self._melted:
-            self._melted |= {_EVERYTHING} if self._melted else sites
-            raise MeltedError
-
-    def afresh(self) -> Shape:
-        """The same, of which nothing was walked through."""
-        return Shape(self._machine, self._melted, self.spent)
 
     def record(self, address: int) -> Obj | None:
         """What stands at an address at the end."""

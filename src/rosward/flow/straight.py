@@ -14,8 +14,7 @@ from rosward.domain.unknown import Cause
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
 from rosward.flow.content import Content
-from rosward.flow.library import name_of
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, of_library
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of, of_library
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
 from rosward.ir import ops
 from rosward.ir.registers import reads, writes
@@ -116,27 +115,30 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
     memory, shape = walker.memory, walker.shape
     given = run_callees(walker, op, body, seen)
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
-    for root in owner.roots:
-        content = memory.of(root)
+    several = memory.apart(owner.roots)
+    for root in several:
+        if not isinstance(root, int) and root[0] == "external":
+            continue
+        content = memory.part(root, op.name, "__class__")
         found = content.read(op.name).under(content.slots.get("__class__", NOTHING).mask)
-        if op.name not in content.slots and any(shape.part(root, op.name) == r for r in seen.refs):
+        if op.name not in content.slots and shape.part(root, op.name) in seen.refs:
             found = content.any  # which part of a message it is, the message does not say
         if isinstance(root, int):
-            for cls in shape.classes(root):
-                found = found.joined(memory.of(cls).read(op.name))
             if op.name not in content.slots and _of_base(seen):
                 found = Mark(found.mask, found.roots | {("of", root, op.name)})
             if seen.reasons and not seen.refs and not any(map(name_of, found.roots)):
                 found = found.joined(_of_model(walker, op, body, root))
-        elif root[0] == "external":
-            found = Mark(0, frozenset((of_library(f"{root[1]}.{op.name}"),)))
-        else:
-            found = Mark(found.mask, found.roots | {part_of(root, op.name)})
         mask |= found.mask
-        roots |= leads(seen, found)
+        roots |= found.roots if seen.opaque else opaque(found)
+    for cls in dict.fromkeys(cls for root in owner.roots for cls in shape.classes(root)):
+        found = memory.part(cls, op.name).read(op.name)
+        mask |= found.mask
+        roots |= found.roots if seen.opaque else opaque(found)
+    for named in opaque(owner):
+        roots.add(of_library(f"{named[1]}.{op.name}") if named[0] == "external" else part_of(named, op.name))
     if given is not None:
         mask, roots = mask | given.mask, roots | leads(seen, given)
-    if not owner.roots or any(op.name not in memory.of(r).slots for r in owner.roots):
+    if not owner.roots or any(op.name not in memory.part(r, op.name).slots for r in several):
         mask |= arising(walker, seen, read=True)  # what was written here, is known
     if walker.narrowed:  # of the one parameter, what its value leads to is of no interest
         whole = memory.deep(Mark(mask, opaque(Mark(0, frozenset(roots)))))

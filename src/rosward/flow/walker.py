@@ -18,8 +18,9 @@ from rosward.flow.content import TooLongError
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
-from rosward.flow.remembered import MOST, Remembered, Tracker
+from rosward.flow.remembered import MOST, Remembered
 from rosward.flow.sinks import DEEP, Chain, Sinks
+from rosward.flow.tracker import Tracker
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.program import CPP
@@ -82,16 +83,18 @@ class Walker:
         self.node: int | None = None  # on whose behalf
         self.stopped: dict[Root, int] = {}  # what decides that timers and subscriptions go on
         self.recursive: set[Activation] = set()  # the bodies that may call themselves
+        self.heads: dict[object, Point] = {}  # what loops have found at their beginnings, by the way that led there
         self.changed = False
         self.watched = watched  # the functions that release something
         self.lost = False  # code may run that nobody can name
         self.threaded = False  # whether something runs beside this
         self.narrowed: list[str] = []  # the names of parameters that the branches around are about
         self._most = most
+        self.together = _size(watch) > _LARGE  # calls of one body are not told apart by what was seen in each
         self._beside = 0  # how often `beside` became more
         self._remembered: dict[Activation, list[Remembered]] = {}
         self._bodies: dict[Seen, dict[str, list[Activation]]] = {}
-        self._generators: dict[str, Activation] = {}
+        self._wholes: dict[str, Activation] = {}
 
     def run(self, block: ops.Block, body: Body) -> bool:
         """Walk through a block; False where control does not come out at its end."""
@@ -144,7 +147,7 @@ class Walker:
                 known[number] = known[number].joined(attempt.body.registers[number])
 
     def bodies_of(self, seen: Seen) -> dict[str, list[Activation]]:
-        """The bodies that an operation runs, by their keys. Of many activations of one, all that was seen of it is taken together."""
+        """The bodies that an operation runs, by their keys. Of many activations of one, or in a large process, all that was seen of it is taken together."""
         found = self._bodies.get(seen)
         if found is None:
             found = {}
@@ -152,7 +155,9 @@ class Walker:
             for activation in dict.fromkeys((*seen.callees, *further)):
                 found.setdefault(activation.code.key, []).append(activation)
             for key, several in found.items():
-                if len(several) > _FEW:
+                if self.together and several[0].code.language != CPP:
+                    found[key] = [self._whole(key, several[0])]
+                elif len(several) > _FEW:
                     found[key] = [_merged(several)]
             self._bodies[seen] = found
         return found
@@ -191,6 +196,10 @@ class Walker:
         for source in self.event:
             mask |= self.sources.trigger(source)
         return mask
+
+    def way(self, op: ops.Op) -> object:
+        """How control came to an operation: in which callback, through which calls."""
+        return (self.trail.event, *[(body.activation, body.at.number) for body in self.bodies], op.number)
 
     def place(self) -> Place:
         """The statement of the user's code that is running."""
@@ -239,7 +248,7 @@ class Walker:
     def go(self, body: Body, point: Point) -> None:
         """Go on from a point (which is used up)."""
         body.registers = point.registers
-        self.memory = point.memory
+        self.memory = point.memory.current()
 
     def enter(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Walk through a body: what it returns. One that is running already returns what it is known to, so far."""
@@ -264,9 +273,11 @@ class Walker:
         outer = self.shape.tracker
         for each in earlier:
             current = not each.tracker.beside or each.beside == self._beside
-            if current and each.given == given and self.memory.finds(each.tracker.reads):
+            if current and each.given == given and self.memory.finds(each.tracker):
                 if each.tracker.beside:  # which it may have covered before it began
                     self.join_beside()
+                if outer is not None:
+                    outer.repeat(each.tracker, here(self.bodies[-1]), self.memory.now)
                 self.memory.replay(each.writes, each.tracker.placed)
                 before_it = self._chain()
                 for (sink, chain), mask in each.tracker.sent.items():
@@ -275,8 +286,6 @@ class Walker:
                     self.sinks.called(sink, whole, self._with_event(mask))
                 if self.attempts:
                     self.attempts[-1].mask |= each.raising
-                if outer is not None:
-                    outer.absorb(each.tracker, here(self.bodies[-1]))
                 return each.result
         tracker = self.shape.tracker = Tracker()
         beside = self._beside
@@ -288,22 +297,21 @@ class Walker:
         finally:
             self.shape.tracker = outer
             if outer is not None:
-                outer.absorb(tracker, here(self.bodies[-1]))
+                outer.absorb(tracker, here(self.bodies[-1]), self.memory)
         raising = self.attempts[-1].mask if self.attempts else 0
         if self.attempts:
             self.attempts[-1].mask |= before
         if not tracker.open:
-            writes = {root: content for root in tracker.writes if (content := self.memory.known(root)) is not None}
+            tracker.ended()
             del earlier[MOST - 1 :]
-            earlier.insert(0, Remembered(given, tracker, writes, result, raising, beside))
+            earlier.insert(0, Remembered(given, tracker, self.memory.left(tracker), result, raising, beside))
         return result
 
     def _walk(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Through a body."""
         known = self.arguments[activation]
         code = activation.code
-        recursive = activation in self.results and len(self.bodies) > _DEEP
-        given = known if recursive else arguments
+        given = known if activation in self.recursive or len(self.bodies) > _DEEP else arguments
         body = Body(activation, [*given, *[NOTHING] * (code.registers - len(given))], pc)
         own = activation.cells[: len(code.cells)] if code.language == CPP else ()
         if own and any(b.activation is activation for b in self.bodies):
@@ -319,7 +327,7 @@ class Walker:
         if body.returned is not None:
             if alive:
                 body.returned.join(self.memory)
-            self.memory = body.returned
+            self.memory = body.returned.current()
         old = self.results.get(activation)
         new = body.result if old is None else old.joined(body.result)
         if new is not old:
@@ -341,10 +349,10 @@ class Walker:
         return self.memory.of(("generator", key)).any.under(pc).joined(returned)
 
     def _whole(self, key: str, activation: Activation) -> Activation:
-        """All that was seen of a generator: each time it goes on, another part of it runs."""
-        found = self._generators.get(key)
+        """All that was seen of a body. Of a generator, another part of it runs each time it goes on."""
+        found = self._wholes.get(key)
         if found is None:
-            found = self._generators[key] = _merged(self.watch.bodies.get(key, [activation]))
+            found = self._wholes[key] = _merged(self.watch.bodies.get(key, [activation]))
         return found
 
 
@@ -358,10 +366,17 @@ def _merged(several: list[Activation]) -> Activation:
     return found
 
 
+def _size(watch: Watch) -> int:
+    """So many operations were seen, each as often as it was told apart."""
+    return sum(len(a.seen) for several in watch.activations.values() for a in several)
+
+
 _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))
 """What may be the first to meet a source."""
 _CALM: Final = 50_000
 """After so much, functions of libraries that only compute are taken as a whole."""
+_LARGE: Final = 6_000
+"""In a process with more operations, calls of one body in several contexts are walked through as one."""
 _FEW: Final = 8
 """So many activations of a body are walked through one by one for one operation."""
 _DEEP: Final = 40

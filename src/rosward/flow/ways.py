@@ -45,7 +45,7 @@ def each_way(walker: Walker, ways: Sequence[Way]) -> Mark | None:
         else:
             after.join(walker.memory)
     assert after is not None
-    walker.memory = after
+    walker.memory = after.current()
     return result
 
 

@@ -9,7 +9,8 @@ The result does not depend on the order in which nodes and findings come in.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from itertools import groupby
 from typing import TypeVar
 
 from rosward.findings import Finding, each_once
@@ -40,7 +41,7 @@ def connect(
 
     `unknown` is what the policy will say for an unknown name: it decides which wildcards there are to warn of. Without `net`, faults are raised.
     """
-    sorted_nodes = tuple(sorted((_settled(node) for node in nodes), key=_node_order))
+    sorted_nodes = tuple(_in_order(_settled(node) for node in nodes))
     kind = EntityKind
     network = Network(
         distro=distro,
@@ -136,8 +137,15 @@ def _parameter_order(parameter: Parameter) -> tuple[str, str, str, str, Place]:
     )
 
 
-def _node_order(node: Node) -> tuple[str, str, Place, str]:
-    return (node.fqn, node.process, node.defined_at, repr(node))
+def _in_order(nodes: Iterable[Node]) -> Iterator[Node]:
+    """By name, process and place; where these are the same, by all that they are, which takes long to write down."""
+    for _, same in groupby(sorted(nodes, key=_node_order), key=_node_order):
+        several = list(same)
+        yield from sorted(several, key=repr) if len(several) > 1 else several
+
+
+def _node_order(node: Node) -> tuple[str, str, Place]:
+    return (node.fqn, node.process, node.defined_at)
 
 
 class _Joined(NamedTuple):

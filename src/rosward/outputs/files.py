@@ -35,7 +35,7 @@ def write_outputs(
     Formats of findings need a `scan`. Raises OSError where that is not possible. A format that cannot be made for a fault of rosward is a
     finding (RW299), which the others show; without `net` that is raised.
     """
-    material = material._replace(pictures=Pictures())
+    material = material._replace(pictures=material.pictures or Pictures())
     chosen = [each for each in FORMATS if each.name in formats and each.files]
     written: dict[str, dict[str, None]] = {}
     failed: dict[str, Finding] = {}

@@ -24,6 +24,8 @@ __all__ = ["WholeFile", "write_bytes", "write_text"]
 _MARK: Final = ".rosward-"
 _ABANDONED: Final = 3_600.0
 """Seconds after which nobody is still writing."""
+_MODE: Final = 0o644
+_READING: Final = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 _WRITING: Final = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 
 
@@ -34,16 +36,18 @@ def write_text(folder: str, name: str, text: str) -> str:
 
 def write_bytes(folder: str, name: str, content: bytes) -> str:
     """The same with what is no text, or is one as it stands in the file."""
-    with WholeFile(folder, name) as file:
-        file.target.write(content)
-    return file.path
+    place = _place(folder, name)
+    if not _holds(place[1], content):
+        with WholeFile(folder, name, place) as file:
+            file.target.write(content)
+    return place[1]
 
 
 class WholeFile:
     """A file to write to, which is at its place when the block ends, and never is if that raises. Raises OSError."""
 
-    def __init__(self, folder: str, name: str) -> None:
-        place, self.path = _place(folder, name)
+    def __init__(self, folder: str, name: str, known: tuple[str, str] | None = None) -> None:
+        place, self.path = known or _place(folder, name)
         self._temporary = os.path.join(place, f"{_MARK}{os.urandom(8).hex()}")  # noqa: PTH118
         self.target = os.fdopen(os.open(self._temporary, _WRITING, 0o600), "wb")
 
@@ -54,7 +58,7 @@ class WholeFile:
         try:
             self.target.close()
             if kind is None:
-                os.chmod(self._temporary, 0o644)  # noqa: PTH101
+                os.chmod(self._temporary, _MODE)  # noqa: PTH101
                 os.replace(self._temporary, self.path)  # noqa: PTH105
         except BaseException:
             self._remove()
@@ -67,6 +71,33 @@ class WholeFile:
             os.unlink(self._temporary)  # noqa: PTH108
         except OSError:
             pass
+
+
+def _holds(path: str, content: bytes) -> bool:
+    """Whether a file has this content already, and is as if it had been written now, which its times then say.
+
+    To put a file in the place of another one makes some file systems wait for the disk, which takes longer than to write it.
+    """
+    try:
+        with os.fdopen(os.open(path, _READING), "rb") as file:
+            status = os.fstat(file.fileno())
+            if (
+                not stat.S_ISREG(status.st_mode)
+                or stat.S_IMODE(status.st_mode) != _MODE
+                or status.st_nlink != 1
+                or status.st_uid != _own_user()
+                or status.st_size != len(content)
+                or file.read(len(content) + 1) != content
+            ):
+                return False
+            os.utime(path, follow_symlinks=False)
+    except (OSError, NotImplementedError):
+        return False
+    return True
+
+
+def _own_user() -> int:
+    return os.geteuid() if hasattr(os, "geteuid") else 0
 
 
 def _place(folder: str, name: str) -> tuple[str, str]:

@@ -323,11 +323,12 @@ def wrote(folder: str, name: str, content: bytes) -> None:
         trace.written.append((folder, name, content))
 
 
-def note_program(path: str) -> None:
-    """Note which program another process runs, by what the system says of its file."""
-    trace = _WATCHED_BY.get()
+def note_program(path: str) -> str:
+    """Which program another process runs, by what the system says of its file."""
+    trace, state = _WATCHED_BY.get(), same.state_of(path)
     if trace is not None:
-        trace.note("program", path, same.state_of(path))
+        trace.note("program", path, state)
+    return state
 
 
 def digest(data: bytes) -> str:

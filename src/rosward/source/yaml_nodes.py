@@ -8,7 +8,7 @@ A reader asks for what it expects and notes what is wrong; nothing is raised for
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from rosward.records import NamedTuple
@@ -17,6 +17,7 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     import yaml  # it takes a while to load, and most sources come without
+    from yaml.constructor import SafeConstructor
 
 Scalar = bool | int | float | str
 Plain = Scalar | None
@@ -80,8 +81,7 @@ def read_yaml(text: str, file: str) -> Item:
     if len(text) > limits.PARAMETERS_FILE:
         raise Malformed("the file is too large", whole)
     try:
-        _check_events(text, file)
-        node = yaml.compose(text, Loader=yaml.SafeLoader)
+        node = _node(_events(text, file))
     except Malformed:
         raise
     except yaml.MarkedYAMLError as error:
@@ -91,23 +91,52 @@ def read_yaml(text: str, file: str) -> Item:
         raise Malformed(f"not valid YAML: {str(error).splitlines()[0]}", whole) from None
     if node is None:
         raise Malformed("the file is empty", whole)
-    return _item(node, file)
+    return _item(node, file, yaml.constructor.SafeConstructor())
 
 
-def _check_events(text: str, file: str) -> None:
+def _node(events: Sequence[yaml.Event]) -> yaml.Node | None:
+    """What `yaml.compose` makes of the text, which is not scanned again."""
+    from yaml.composer import Composer
+    from yaml.resolver import Resolver
+
+    class Composing(Composer, Resolver):
+        """As a loader of yaml, of events that are there already."""
+
+        def __init__(self) -> None:
+            Composer.__init__(self)
+            Resolver.__init__(self)
+            self._left = list(reversed(events))
+
+        def check_event(self, *kinds: type[yaml.Event]) -> bool:
+            return bool(self._left) and (not kinds or isinstance(self._left[-1], kinds))
+
+        def peek_event(self) -> yaml.Event | None:
+            return self._left[-1] if self._left else None
+
+        def get_event(self) -> yaml.Event | None:
+            return self._left.pop() if self._left else None
+
+    found: yaml.Node | None = Composing().get_single_node()
+    return found
+
+
+def _events(text: str, file: str) -> list[yaml.Event]:
+    """All events, which come to an end and do not nest without bound."""
     import yaml
 
+    found: list[yaml.Event] = []
     depth = 0
     for event in yaml.parse(text, Loader=yaml.SafeLoader):
-        place = _place(event, file)
+        found.append(event)
         if isinstance(event, yaml.AliasEvent):
-            raise Malformed("aliases are not supported: write out the anchored value", place)
+            raise Malformed("aliases are not supported: write out the anchored value", _place(event, file))
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
             if depth > limits.YAML_DEPTH:
-                raise Malformed("nested too deeply", place)
+                raise Malformed("nested too deeply", _place(event, file))
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1
+    return found
 
 
 def _place(at: yaml.Event | yaml.Node, file: str) -> Place:
@@ -115,16 +144,16 @@ def _place(at: yaml.Event | yaml.Node, file: str) -> Place:
     return Place(file) if mark is None else Place(file, mark.line + 1, mark.column + 1)
 
 
-def _item(node: yaml.Node, file: str) -> Item:
+def _item(node: yaml.Node, file: str, scalars: SafeConstructor) -> Item:
     import yaml
 
     place = _place(node, file)
     if isinstance(node, yaml.SequenceNode):
-        return Item([_item(each, file) for each in node.value], place)
+        return Item([_item(each, file, scalars) for each in node.value], place)
     if isinstance(node, yaml.MappingNode):
-        return Item(dict(_pairs(node, file)), place)
+        return Item(dict(_pairs(node, file, scalars)), place)
     try:
-        value = yaml.SafeLoader("").construct_object(node)
+        value = scalars.construct_object(node)
     except (yaml.YAMLError, ValueError, OverflowError):
         value = str(node.value)
     if value is not None and not isinstance(value, (bool, int, float, str)):
@@ -132,7 +161,7 @@ def _item(node: yaml.Node, file: str) -> Item:
     return Item(value, place)
 
 
-def _pairs(node: yaml.MappingNode, file: str) -> Iterator[tuple[str, Item]]:
+def _pairs(node: yaml.MappingNode, file: str, scalars: SafeConstructor) -> Iterator[tuple[str, Item]]:
     from yaml import ScalarNode
 
     seen: set[str] = set()
@@ -144,4 +173,4 @@ def _pairs(node: yaml.MappingNode, file: str) -> Iterator[tuple[str, Item]]:
         if name in seen:
             raise Malformed(f"'{name}' occurs twice here", place)
         seen.add(name)
-        yield name, _item(value, file)._replace(named=place)
+        yield name, _item(value, file, scalars)._replace(named=place)

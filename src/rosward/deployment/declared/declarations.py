@@ -20,6 +20,7 @@ from rosward.guard import guarded
 from rosward.source import disk, limits
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
+from rosward.source.yaml_documents import YamlDocuments
 
 MODELS: Final = Path(__file__).parent.parent.parent / "models" / "nodes"
 _NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,200}")
@@ -32,8 +33,12 @@ class Declarations:
     Files are read when something asks for their package; what is wrong with them stands in `findings`.
     """
 
-    def __init__(self, folders: Sequence[Path] = (), *, net: bool = True) -> None:
+    def __init__(
+        self, folders: Sequence[Path] = (), *, net: bool = True, documents: YamlDocuments | None = None
+    ) -> None:
         self._net = net
+        self.documents = documents or YamlDocuments()
+        """The YAML files that were read, these and others."""
         self._places = [(f"{folder.name}/{sub}", folder / sub) for folder in folders for sub in ("nodes", "")]
         self._places.append(("models:nodes/", MODELS))
         self._packages: dict[str, tuple[PackageDeclaration, ...]] = {}
@@ -71,7 +76,9 @@ class Declarations:
                 self.findings.add(Finding("RW324", data.message, data.place))
                 continue
             text, missing = data.decode("utf-8", "replace"), "the declared interface was not read"
-            read = guarded(partial(read_package, text, file, package), Place(file), missing, net=self._net)
+            read = guarded(
+                partial(read_package, text, file, package, self.documents), Place(file), missing, net=self._net
+            )
             found, findings = (None, (read,)) if isinstance(read, Finding) else read
             self.findings.update(findings)
             if found is not None:

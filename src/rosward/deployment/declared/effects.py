@@ -17,7 +17,7 @@ from typing import Final, final
 
 from rosward.deployment.declared.declarations import Declarations
 from rosward.deployment.declared.flows import FoundEnd, FoundFlow, process_flows
-from rosward.deployment.declared.found import FoundEndpoint, Open, ReadFile
+from rosward.deployment.declared.found import FilesRead, FoundEndpoint, Open, ReadFile
 from rosward.deployment.declared.items import ItemLimit, expansions, type_value
 from rosward.deployment.declared.programs import READERS
 from rosward.deployment.declared.shapes import (
@@ -318,7 +318,7 @@ class _DeclaredProcess:
             message = f"Unknown reader {self._program.reader}; available: {', '.join(READERS)}."
             self._log.findings.add(Finding("RW324", message, self._program.place))
             return
-        for found in reader(scope, self._read_file):
+        for found in reader(scope, FilesRead(self._read_file, self._declarations.documents)):
             if isinstance(found, Open):
                 self._open(found.reason)
             elif address is not None:

@@ -15,6 +15,8 @@ from rosward.domain.choice import options
 from rosward.domain.values import EMPTY, Const, Value
 from rosward.records import NamedTuple
 from rosward.ros.entities import Qos
+from rosward.source.yaml_documents import YamlDocuments
+from rosward.source.yaml_nodes import Item
 
 DEFAULT_QOS: Final = Qos("reliable", "volatile", "keep_last", 10)
 
@@ -38,13 +40,21 @@ class Open(NamedTuple):
 ReadFile = Callable[[Value], "str | None"]
 """The text of the file that a path names; None where it is not among the sources."""
 
-Reader = Callable[[TemplateScope, ReadFile], Iterator["FoundEndpoint | Open"]]
+
+class FilesRead(NamedTuple):
+    """The files that arguments name."""
+
+    text: ReadFile
+    documents: YamlDocuments
+
+    def yaml(self, path: Value) -> Item | None:
+        """The document in the file of a path, where the path has one meaning; None where it is not among the sources. Raises `Malformed`."""
+        several = [o for o in options(path) if o != EMPTY]
+        text = self.text(several[0]) if len(several) == 1 else None
+        return None if text is None else self.documents.read(text, "")
 
 
-def file_text(path: Value, read: ReadFile) -> str | None:
-    """The text of the file of a path, where the path has one meaning."""
-    several = [o for o in options(path) if o != EMPTY]
-    return read(several[0]) if len(several) == 1 else None
+Reader = Callable[[TemplateScope, FilesRead], Iterator["FoundEndpoint | Open"]]
 
 
 def constant(value: Value) -> str | None:

@@ -13,19 +13,19 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Final
 
-from rosward.deployment.declared.found import FoundEndpoint, Open, Reader, ReadFile, constant, file_text
+from rosward.deployment.declared.found import FilesRead, FoundEndpoint, Open, Reader, constant
 from rosward.deployment.declared.rviz import rviz
 from rosward.deployment.declared.text import TemplateScope, as_text
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import concat, origins_of, parts_of
 from rosward.domain.values import EMPTY, Const, Unknown, Value
 from rosward.ros.entities import Qos
-from rosward.source.yaml_nodes import Item, Malformed, read_yaml
+from rosward.source.yaml_nodes import Item, Malformed
 
 _QUEUE: Final = 10
 
 
-def gz_bridge(scope: TemplateScope, read: ReadFile) -> Iterator[FoundEndpoint | Open]:
+def gz_bridge(scope: TemplateScope, files: FilesRead) -> Iterator[FoundEndpoint | Open]:
     """ros_gz_bridge's parameter_bridge: `/topic@type@gz_type`, `/topic@type[gz_type`, `/topic@type]gz_type`, `/service@type`; its config_file.
 
     Read from gazebosim/ros_gz (ros2 a4d00a9, October 2024): parameter_bridge.cpp, ros_gz_bridge.cpp, bridge_config.cpp.
@@ -41,12 +41,12 @@ def gz_bridge(scope: TemplateScope, read: ReadFile) -> Iterator[FoundEndpoint | 
     path = scope.parameters.value("config_file")
     if path == EMPTY or (isinstance(path, Const) and not path.value):
         return
-    text = file_text(path, read)
-    if text is None:
-        yield Open("the file named by its parameter config_file is not among the sources")
-        return
     try:
-        yield from _configured(read_yaml(text, ""))
+        document = files.yaml(path)
+        if document is None:
+            yield Open("the file named by its parameter config_file is not among the sources")
+        else:
+            yield from _configured(document)
     except Malformed as error:
         yield Open(f"the file named by its parameter config_file cannot be read: {error.message}")
 
@@ -108,7 +108,7 @@ def _depth(text: str | None) -> Qos:
     return Qos("reliable", "volatile", "keep_last", int(text) if text and text.isdigit() else _QUEUE)
 
 
-def gz_image_bridge(scope: TemplateScope, read: ReadFile) -> Iterator[FoundEndpoint | Open]:  # noqa: ARG001 (the shape of a Reader)
+def gz_image_bridge(scope: TemplateScope, files: FilesRead) -> Iterator[FoundEndpoint | Open]:  # noqa: ARG001 (the shape of a Reader)
     """ros_gz_image's image_bridge: each argument is a topic, published by image_transport.
 
     Read from gazebosim/ros_gz (ros2 a4d00a9, October 2024): image_bridge.cpp.

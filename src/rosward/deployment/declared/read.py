@@ -33,7 +33,8 @@ from rosward.ros.distro import Distro
 from rosward.ros.entities import Qos
 from rosward.ros.implicit import ClientLibrary
 from rosward.source.location import Place
-from rosward.source.yaml_nodes import Item, Malformed, read_yaml
+from rosward.source.yaml_documents import YamlDocuments
+from rosward.source.yaml_nodes import Item, Malformed
 
 KINDS: Final = {
     "publishers": "publisher",
@@ -90,11 +91,11 @@ _MORE_QOS: Final = frozenset(("deadline_ns", "lifespan_ns", "liveliness", "livel
 
 
 def read_package(
-    text: str, file: str, package: str | None = None
+    text: str, file: str, package: str | None = None, documents: YamlDocuments | None = None
 ) -> tuple[PackageDeclaration | None, tuple[Finding, ...]]:
     """The package that a file declares, or why it cannot be read. `package`: the name that the file has to give."""
     try:
-        item = read_yaml(text, file)
+        item = (documents or YamlDocuments()).read(text, file)
         return _package(item, package), ()
     except Malformed as error:
         return None, (Finding("RW324", f"The declared interface cannot be read: {error.message}.", error.place),)

@@ -16,12 +16,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Final
 
-from rosward.deployment.declared.found import FoundEndpoint, Open, ReadFile, file_text
+from rosward.deployment.declared.found import FilesRead, FoundEndpoint, Open
 from rosward.deployment.declared.text import TemplateScope, argument
 from rosward.domain.choice import reasons_of
 from rosward.domain.values import EMPTY, Const
 from rosward.ros.entities import Qos
-from rosward.source.yaml_nodes import Item, Malformed, read_yaml
+from rosward.source.yaml_nodes import Item, Malformed
 
 _SUBSCRIBED: Final[Mapping[str, str]] = {
     "AccelStamped": "geometry_msgs/msg/AccelStamped",
@@ -76,7 +76,7 @@ _DEEPEST: Final = 20
 Found_ = Iterator["FoundEndpoint | Open"]
 
 
-def rviz(scope: TemplateScope, read: ReadFile) -> Found_:
+def rviz(scope: TemplateScope, files: FilesRead) -> Found_:
     """What the configuration of rviz2 makes it subscribe to and publish."""
     path = argument("-d", scope)
     path = argument("--display-config", scope) if path == EMPTY else path
@@ -84,15 +84,14 @@ def rviz(scope: TemplateScope, read: ReadFile) -> Found_:
         yield from (_endpoint("publisher", name, type_, _DEFAULT) for name, type_ in _TOOLS.values())
         yield Open("without -d it loads the user's own ~/.rviz2/default.rviz")
         return
-    text = file_text(path, read)
-    if text is None:
-        why = "; ".join(str(r) for r in reasons_of(path))
-        yield Open(f"its configuration file is not among the sources{f' ({why})' if why else ''}")
-        return
     try:
-        document = read_yaml(text, "")
+        document = files.yaml(path)
     except Malformed as error:
         yield Open(f"its configuration file cannot be read: {error.message}")
+        return
+    if document is None:
+        why = "; ".join(str(r) for r in reasons_of(path))
+        yield Open(f"its configuration file is not among the sources{f' ({why})' if why else ''}")
         return
     manager = _child(document, "Visualization Manager")
     yield from _displays(_child(manager, "Displays"), 0, shown=True)

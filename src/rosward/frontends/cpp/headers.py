@@ -9,11 +9,12 @@ Only files of the sources are found; what leads out of them is a header from els
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Final, final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source import disk, limits
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.parameter_header import parameter_header
@@ -24,17 +25,29 @@ _MADE: Final = "//made//"
 """Stands in the path of a header that a build makes, between the file that it is made of and its name."""
 
 
+class HeadersAsked(NamedTuple):
+    """What was asked of the headers of a workspace: which paths are files, and what tells the text of each that was read from any other.
+
+    `generated` are the headers that builds make.
+    """
+
+    generated: str
+    files: Mapping[str, bool]
+    texts: Mapping[str, str]
+
+
 @final
 class Headers:
     """The files of a workspace, as an `#include` finds and reads them; `folders` are those that may be read."""
 
-    __slots__ = ("_boundary", "_files", "_folders", "_generated", "_root", "_written")
+    __slots__ = ("_boundary", "_files", "_folders", "_generated", "_root", "_texts", "_written")
 
     def __init__(self, root: Path, folders: Sequence[str], boundary: Boundary = EVERYWHERE) -> None:
         self._root = root
         self._folders = tuple(folder.rstrip(os.sep) + os.sep for folder in folders)
         self._boundary = boundary
         self._files: dict[str, bool] = {}
+        self._texts: dict[str, str] = {}
         self._generated: dict[str, dict[str, str]] = {}
         self._written: dict[str, tuple[str, str]] = {}
 
@@ -45,6 +58,22 @@ class Headers:
     def generate(self, name: str, source: str, package: str) -> None:
         """A build makes the header `name` of the description of parameters in the file `source`, in the folder of a package."""
         self._generated.setdefault(name, {})[package] = source
+
+    def asked(self) -> HeadersAsked:
+        """All that was asked so far, with the answers."""
+        return HeadersAsked(repr(self._generated), dict(self._files), dict(self._texts))
+
+    def answers(self, asked: HeadersAsked) -> bool:
+        """Whether the same questions have the same answers here; if so, they count as asked."""
+        if not (
+            repr(self._generated) == asked.generated
+            and all(_told(self._read(path)) == told for path, told in asked.texts.items())
+            and all(self._look(path) is found for path, found in asked.files.items())
+        ):
+            return False
+        self._files.update(asked.files)
+        self._texts.update(asked.texts)
+        return True
 
     def find(self, name: str, including: str, includes: Sequence[str], quoted: bool) -> str | None:
         """The file that is meant by a name in the file `including`."""
@@ -72,9 +101,11 @@ class Headers:
     def _is_file(self, path: str) -> bool:
         known = self._files.get(path)
         if known is None:
-            known = path.startswith(self._folders) and disk.is_file(path) and not self._boundary.leads_out(path)
-            self._files[path] = known
+            known = self._files[path] = self._look(path)
         return known
+
+    def _look(self, path: str) -> bool:
+        return path.startswith(self._folders) and disk.is_file(path) and not self._boundary.leads_out(path)
 
     def named(self, path: str) -> str:
         """How places call the file."""
@@ -84,6 +115,11 @@ class Headers:
 
     def read(self, path: str) -> str | Finding:
         """The text of a file; C++ is UTF-8 or does not mind."""
+        text = self._read(path)
+        self._texts[path] = _told(text)
+        return text
+
+    def _read(self, path: str) -> str | Finding:
         if path in self._written:
             return self._written[path][1]
         if _MADE in path:
@@ -105,3 +141,8 @@ class Headers:
         except Malformed as problem:
             message = f"The parameters of this header were not read: {problem.message}."
             return Finding("RW008", message, problem.place)
+
+
+def _told(text: str | Finding) -> str:
+    """What tells a text, or why there is none, from any other."""
+    return disk.digest((text if isinstance(text, str) else f"!{text!r}").encode("utf-8", "surrogatepass"))

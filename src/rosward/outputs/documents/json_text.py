@@ -31,7 +31,13 @@ def _indented(value: Any, line: str, default: Callable[[Any], object] | None) ->
         if not value:
             return "{}"
         inner = line + "  "
-        parts = [f"{_key(key)}: {_indented(item, inner, default)}" for key, item in value.items()]
+        parts = []
+        for key, item in value.items():
+            name = _quoted(key) if key.__class__ is str else _key(key)
+            if item.__class__ is str:  # most are: that is worth a line here
+                parts.append(f"{name}: {_quoted(item)}")
+            else:
+                parts.append(f"{name}: {_indented(item, inner, default)}")
         return f"{{{inner}{f',{inner}'.join(parts)}{line}}}"
     if isinstance(value, (list, tuple)):
         if not value:
@@ -40,7 +46,11 @@ def _indented(value: Any, line: str, default: Callable[[Any], object] | None) ->
         return f"[{inner}{f',{inner}'.join([_indented(item, inner, default) for item in value])}{line}]"
     if value.__class__ is int:
         return str(value)
-    if value is None or isinstance(value, (bool, int, float)) or default is None:
+    if value is None:
+        return "null"
+    if value.__class__ is bool:
+        return "true" if value else "false"
+    if isinstance(value, (bool, int, float)) or default is None:
         return json.dumps(value, allow_nan=False)
     return _indented(default(value), line, default)
 

@@ -75,7 +75,8 @@ def drawing(network: Network, system: bool = False, types: bool = False, links: 
     steps = steps_between_layers(edges)
     header = (*HEADER, _IN_SHORT) if steps > _MOST_STEPS else HEADER
     lines = ["digraph rosward {", *(f"  {line};" for line in header), *(f"  {line}" for line in body), "}"]
-    return Drawing("\n".join(lines) + "\n", len(vertices), len(edges), steps)
+    text = "\n".join(lines) + "\n"
+    return Drawing(text, len(vertices), len(edges), steps, text)
 
 
 class _DrawnEnd(NamedTuple):

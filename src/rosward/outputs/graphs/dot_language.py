@@ -39,12 +39,16 @@ TOWARDS_NODE: Final = (EntityKind.SUBSCRIPTION, EntityKind.SERVICE_SERVER, Entit
 
 
 class Drawing(NamedTuple):
-    """The text of a graph, and how large it is; `steps` are the layers that its edges cross (`layers.py`)."""
+    """The text of a graph, and how large it is; `steps` are the layers that its edges cross (`layers.py`).
+
+    `shapes` is the text without its caption: no caption makes a drawing smaller.
+    """
 
     text: str
     vertices: int
     edges: int
     steps: int
+    shapes: str
 
 
 def label_of(lines: Iterable[str]) -> str:

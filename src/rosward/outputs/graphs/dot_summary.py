@@ -65,7 +65,8 @@ def _drawing(network: Network, group_of: Callable[[Node], str], how: str, direct
         caption.append(f"Omitted: {crowds} that connect{'s' if crowds == 1 else ''} many nodes with many.")
     header = (*HEADER, f"graph [label={label_of(caption)}, labelloc=b, rankdir={direction}]")
     text = "\n".join(["digraph rosward {", *(f"  {line};" for line in (*header, *lines)), "}"]) + "\n"
-    return Drawing(text, len(groups), len(edges), steps_between_layers(edges))
+    shapes = "\n".join((direction, str(len(caption)), *lines))
+    return Drawing(text, len(groups), len(edges), steps_between_layers(edges), shapes)
 
 
 def _edges(

@@ -69,11 +69,13 @@ def graph_svg(
     """The graph as SVG. `links` makes each node a link to `#node-N`, its number in the network; `pictures` are those of before."""
     known = pictures or Pictures()
     whole = drawing(network, system, types, links)
+    too_large: set[str] = set()
     for drawn in chain((whole,), summaries(network, system)):
-        if drawn.vertices <= _MOST_VERTICES and drawn.steps <= _MOST_STEPS:
-            picture = known.of(drawn.text, partial(_picture, drawn))
+        if drawn.vertices <= _MOST_VERTICES and drawn.steps <= _MOST_STEPS and drawn.shapes not in too_large:
+            picture = known.of(drawn.text, partial(_picture, drawn, known))
             if _fits(picture):
                 return picture
+            too_large.add(drawn.shapes)
     return _message("This graph is too large to draw", whole)
 
 
@@ -82,23 +84,35 @@ def _fits(picture: str) -> bool:
     return size is None or (float(size["width"]) <= _WIDEST and float(size["height"]) <= _HIGHEST)
 
 
-def _picture(drawn: Drawing) -> str:
+def _picture(drawn: Drawing, known: Pictures) -> str:
     program = _program()
     if program is None:
         return _message(f"{_PROGRAM} is not installed, so there is no drawing", drawn)
-    disk.note_program(program)
+    told: list[str] = []
+    state = disk.note_program(program)
+    picture = known.by_program(f"{program}\0{state}", drawn.text, partial(_drawn_by, program, drawn, told))
+    return _message(told[0], drawn) if picture is None else picture
+
+
+def _drawn_by(program: str, drawn: Drawing, told: list[str]) -> str | None:
+    """The drawing; of one that is too large, the beginning alone. None where it is not drawn, and `told` is why."""
     try:
         done = subprocess.run(
             [program, "-Kdot", "-Tsvg"], input=drawn.text.encode(), capture_output=True, timeout=_SECONDS, check=True
         )
     except subprocess.TimeoutExpired:
         disk.tear()  # another time it may be quicker
-        return _message(f"Drawing took more than {_SECONDS} seconds", drawn)
+        told.append(f"Drawing took more than {_SECONDS} seconds")
+        return None
     except (OSError, subprocess.CalledProcessError):
         disk.tear()
-        return _message(f"{_PROGRAM} could not draw this graph", drawn)
+        told.append(f"{_PROGRAM} could not draw this graph")
+        return None
     svg = _PROLOGUE.sub("", done.stdout.decode(errors="replace"))
-    return _hatched(svg) if svg.startswith("<svg") else _message(f"{_PROGRAM} could not draw this graph", drawn)
+    if not svg.startswith("<svg"):
+        told.append(f"{_PROGRAM} could not draw this graph")
+        return None
+    return _hatched(svg) if _fits(svg) else f"{svg.partition('>')[0]}/>"
 
 
 def _hatched(svg: str) -> str:

@@ -28,13 +28,14 @@ from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, Interface
 from rosward.safe import xml_attribute, xml_comment, xml_text
 
-__all__ = ["Line", "policies", "policy_lines", "policy_xml"]
+__all__ = ["Line", "policies", "policy_lines", "policy_xml", "whole_and_single"]
 
 _MOST_PLACES: Final = 5
 _HEADER: Final = (
     "Written by rosward from the source of the system.",
     "The comment after each rule says where it comes from; a rule without a comment is needed by the client library.",
 )
+_LAST: Final = ("  </enclaves>", "</policy>", "")
 
 
 class Line(NamedTuple):
@@ -66,21 +67,39 @@ def policies(network: Network, unknown: UnknownNames = "deny", widened: Widening
     return {enclave.path: _document([enclave]) for enclave in enclaves(network, unknown, widened)}
 
 
+def whole_and_single(
+    network: Network, unknown: UnknownNames = "deny", widened: Widenings = NOT_WIDENED
+) -> tuple[str, dict[str, str]]:
+    """What `policy_xml` gives of the whole network, and `policies`."""
+    written = [
+        (enclave.path, [line.text for line in _enclave(enclave)]) for enclave in enclaves(network, unknown, widened)
+    ]
+    whole = _framed(text for _, lines in written for text in lines)
+    return whole, {path: _framed(lines) for path, lines in written}
+
+
 def policy_lines(chosen: Iterable[Enclave]) -> Iterator[Line]:
     """The policy of these enclaves line by line; the last line is empty, so that joined by line ends they are the file."""
-    yield Line('<?xml version="1.0" encoding="UTF-8"?>')
-    yield from (Line(xml_comment(line)) for line in _HEADER)
-    yield Line('<policy version="0.2.0">')
-    yield Line("  <enclaves>")
+    yield from map(Line, _first())
     for enclave in chosen:
         yield from _enclave(enclave)
-    yield Line("  </enclaves>")
-    yield Line("</policy>")
-    yield Line("")
+    yield from map(Line, _LAST)
 
 
 def _document(chosen: Iterable[Enclave]) -> str:
-    return "\n".join(line.text for line in policy_lines(chosen))
+    return _framed(line.text for enclave in chosen for line in _enclave(enclave))
+
+
+def _framed(lines: Iterable[str]) -> str:
+    """The policy with these lines of enclaves."""
+    return "\n".join((*_first(), *lines, *_LAST))
+
+
+def _first() -> Iterator[str]:
+    yield '<?xml version="1.0" encoding="UTF-8"?>'
+    yield from map(xml_comment, _HEADER)
+    yield '<policy version="0.2.0">'
+    yield "  <enclaves>"
 
 
 def _enclave(enclave: Enclave) -> Iterator[Line]:

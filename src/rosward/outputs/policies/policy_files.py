@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rosward.outputs.policies.policy import policies, policy_xml
+from rosward.outputs.policies.policy import whole_and_single
 from rosward.outputs.policies.starts import starts_text
 from rosward.outputs.writing import File, Material, of_enclaves
 
@@ -14,7 +14,8 @@ __all__ = ["files"]
 
 def files(material: Material) -> Iterator[File]:
     """The files of the format `policy`."""
-    network, unknown, widened = material.network, material.unknown, material.widened
-    yield "policy.xml", policy_xml(network, unknown=unknown, widened=widened)
-    yield from of_enclaves("policies", policies(network, unknown=unknown, widened=widened), "policy.xml")
+    network = material.network
+    whole, single = whole_and_single(network, material.unknown, material.widened)
+    yield "policy.xml", whole
+    yield from of_enclaves("policies", single, "policy.xml")
     yield "enclaves.txt", starts_text(network)

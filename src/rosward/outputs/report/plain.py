@@ -44,13 +44,30 @@ def value_row(value: object) -> object:
 
 def harmless(value: object) -> object:
     """A piece of the document with every text in it, keys too, made harmless to show."""
-    if isinstance(value, str):
-        return printable(value if len(value) <= _LONGEST else _cut(value))
-    if isinstance(value, dict):
-        return {harmless(key): harmless(item) for key, item in value.items()}
-    if isinstance(value, list):
-        return [harmless(item) for item in value]
-    return value
+    known: dict[str, str] = {}  # most texts come again and again
+    get = known.get
+
+    def of_text(text: str) -> str:
+        found = known[text] = printable(text if len(text) <= _LONGEST else _cut(text))
+        return found
+
+    def of(value: object) -> object:
+        if isinstance(value, str):
+            return get(value) or of_text(value)
+        if isinstance(value, dict):
+            return {
+                get(key) or of_text(key): (get(item) or of_text(item))
+                if item.__class__ is str
+                else item
+                if item is None or item.__class__ is bool
+                else of(item)
+                for key, item in value.items()
+            }
+        if isinstance(value, list):
+            return [of(item) for item in value]
+        return value
+
+    return of(value)
 
 
 def _cut(text: str) -> str:

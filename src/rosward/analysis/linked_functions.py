@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which functions of a program in C++ would create an entity? Plain records, which can be kept."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from rosward.ir.cpp import InvokeMember, MakeLambda, Name
+from rosward.ir.op import Op, walk
+from rosward.ir.program import Code
+from rosward.records import NamedTuple
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.frontends.cpp.symbol import CppSymbol
+    from rosward.frontends.cpp.symbol_file import FileSymbols
+    from rosward.frontends.cpp.symbols import CppSymbols
+
+__all__ = ["LinkedCreation", "LinkedFunction", "creating_functions"]
+
+
+class LinkedCreation(NamedTuple):
+    """A call of what creates an entity: its operation, by the key of the body and its number there; what is called, and where."""
+
+    body: str
+    number: int
+    name: str
+    place: Place
+
+
+class LinkedFunction(NamedTuple):
+    """A function with such calls. `key` is that of its body; `plugin`: it is of a class that is registered as a plugin."""
+
+    key: str
+    shown: str
+    plugin: bool
+    creations: tuple[LinkedCreation, ...]
+
+
+def creating_functions(program: CppSymbols, file: FileSymbols, creating: frozenset[str]) -> tuple[LinkedFunction, ...]:
+    """Those of one of the files of a program."""
+    wanted = re.compile(rb"\b(?:" + "|".join(map(re.escape, sorted(creating))).encode() + rb")\b")
+    plugins = {each.arguments[0] for each in file.parsed.prepared.registrations if each.arguments}
+    found: list[LinkedFunction] = []
+    for symbol in file.functions(wanted):
+        whole = next((s for s in program.at(symbol.scope, symbol.name) if s.key == symbol.key), symbol)
+        if whole.code is not None:
+            found.append(_function(whole, whole.code, plugins, creating))
+    return tuple(found)
+
+
+def _function(symbol: CppSymbol, code: Code, plugins: set[str], creating: frozenset[str]) -> LinkedFunction:
+    shown = "::".join((*filter(None, symbol.scope), symbol.name))
+    plugin = "::".join(filter(None, symbol.scope)) in plugins
+    creations = tuple(
+        LinkedCreation(body.key, op.number, name, Place(body.file, op.line, op.column))
+        for body, name, op in _creations(code, creating)
+    )
+    return LinkedFunction(code.key, shown, plugin, creations)
+
+
+def _creations(code: Code, creating: frozenset[str]) -> Iterator[tuple[Code, str, Op]]:
+    """The calls of what creates an entity, in a body and in the lambdas in it."""
+    waiting = [code]
+    while waiting:
+        body = waiting.pop()
+        for op in walk(body.ops):
+            if isinstance(op, MakeLambda):
+                waiting.append(op.code)
+            elif isinstance(op, InvokeMember) and op.name in creating:
+                yield body, op.name, op
+            elif isinstance(op, Name) and op.parts[-1].name in creating:
+                yield body, op.parts[-1].name, op

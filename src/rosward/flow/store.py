@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where do the contents of objects stand, so that a copy costs little, and what differs between two copies is found at once?
+
+before = memory.copy()       shares everything
+memory.put(root, content)    copies the page of that object
+memory.join(before)          looks only at the objects that differ
+
+Each object of a walk has a number, and its content stands on a page with those of its neighbours. Objects that nobody needs to tell apart
+have one number, and one content.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import compress
+from operator import is_not
+from typing import Final, final
+
+from rosward.flow.content import EMPTY, Content, both
+from rosward.flow.marks import Mark, Root, name_of
+
+Page = list[Content | None]
+
+_SHIFT: Final = 5
+_MASK: Final = (1 << _SHIFT) - 1
+_OFFSETS: Final = range(_MASK + 1)
+_BLANK: Final[tuple[None, ...]] = (None,) * (_MASK + 1)
+_MOST_COVERED: Final = 30_000
+MELTED: Final = "melted"
+"""The first word of what stands for many objects."""
+
+
+@final
+class Numbers:
+    """The numbers of the objects of one walk."""
+
+    __slots__ = ("_apart", "_canonical", "_covered", "held", "led", "merged", "merges", "of", "roots")
+
+    def __init__(self) -> None:
+        self.of: dict[Root, int] = {}
+        self.roots: list[Root] = []  # by number
+        self.merged: dict[int, list[Root]] = {}  # the numbers that stand for several objects, with these
+        self.led: dict[int, frozenset[Root]] = {}  # where such an object leads whatever was written to it
+        self.merges: list[tuple[int, tuple[int, ...]]] = []  # each with the numbers that it took the place of
+        self.held: set[Root] = set()  # what was ever written into an object
+        self._covered: dict[tuple[int, int], tuple[Content, Content]] = {}
+        self._apart: dict[frozenset[Root], frozenset[Root]] = {}
+        self._canonical: dict[frozenset[Root], frozenset[Root]] = {}
+
+    def number(self, root: Root) -> int:
+        """The number of an object, which it has from now on."""
+        found = self.of.get(root)
+        if found is None:
+            found = self.of[root] = len(self.roots)
+            self.roots.append(root)
+        return found
+
+    def merge(self, members: Iterable[Root], led: frozenset[Root]) -> None:
+        """Several objects are one from now on."""
+        several: list[Root] = []
+        taken: dict[int, None] = {}
+        for root in members:
+            number = self.number(root)
+            if number not in taken:
+                taken[number] = None
+                several += self.merged.pop(number, (root,))
+                led |= self.led.pop(number, frozenset())
+        new = self.number((MELTED, len(self.merges)))
+        several.append(self.roots[new])
+        for root in several:
+            self.of[root] = new
+        self.merged[new] = several
+        self._apart.clear()
+        self._canonical.clear()
+        self.led[new] = self.canonical(led)
+        self.merges.append((new, tuple(taken)))
+
+    def canonical(self, roots: frozenset[Root]) -> frozenset[Root]:
+        """The same objects, with what stands for those that are merged in their place; what has a name keeps it."""
+        if not self.merged:
+            return roots
+        found = self._canonical.get(roots)
+        if found is None:
+            of, merged = self.of, self.merged
+            apart = [r for r in roots if of.get(r) in merged and not name_of(r)]
+            found = roots.difference(apart).union(self.roots[of[r]] for r in apart) if apart else roots
+            self._canonical[roots] = found
+        return found
+
+    def apart(self, roots: frozenset[Root]) -> frozenset[Root]:
+        """Of these, one for each content that they have."""
+        if not self.merged:
+            return roots
+        found = self._apart.get(roots)
+        if found is None:
+            of, merged = self.of, self.merged
+            one: dict[object, Root] = {}
+            for root in roots:
+                number = of.get(root)
+                here = number if number in merged else root
+                if here not in one or isinstance(root, int):
+                    one[here] = root
+            found = self._apart[roots] = roots if len(one) == len(roots) else frozenset(one.values())
+        return found
+
+    def melted(self, content: Content) -> Content:
+        """The content of one of many objects: nobody knows under which key what stands."""
+        whole = content.whole
+        return Content(content.base, Mark(whole.mask, self.canonical(whole.roots)), content.size)
+
+    @property
+    def covered(self) -> dict[tuple[int, int], tuple[Content, Content]]:
+        """Pairs of contents, by id(), of which the first is known to cover the second; forgotten where they become too many."""
+        if len(self._covered) > _MOST_COVERED:
+            self._covered.clear()
+        return self._covered
+
+
+class Store:
+    """Pages of contents. A page is shared between copies until one of them writes to it."""
+
+    __slots__ = ("_folded", "_of", "_own", "_pages", "numbers")
+
+    def __init__(self, numbers: Numbers) -> None:
+        self.numbers = numbers
+        self._of = numbers.of
+        self._pages: dict[int, Page] = {}
+        self._own: set[int] = set()  # the pages that no copy shares
+        self._folded = len(numbers.merges)  # so many merges are taken in
+
+    def _share_with(self, copy: Store) -> None:
+        """Another one, which holds nothing so far, holds the same from now on."""
+        copy._pages = self._pages.copy()
+        copy._folded = self._folded
+        if self._own:
+            self._own = set()
+
+    def known(self, root: Root) -> Content | None:
+        """What was written of an object; None where nothing was."""
+        number = self._of.get(root)
+        if number is None:
+            return None
+        page = self._pages.get(number >> _SHIFT)
+        return None if page is None else page[number & _MASK]
+
+    def numbered(self, number: int) -> Content | None:
+        """The same, by the number of the object."""
+        page = self._pages.get(number >> _SHIFT)
+        return None if page is None else page[number & _MASK]
+
+    def _set(self, number: int, content: Content | None) -> None:
+        key = number >> _SHIFT
+        page = self._pages.get(key)
+        if key not in self._own:
+            page = self._pages[key] = list(_BLANK) if page is None else page.copy()
+            self._own.add(key)
+        assert page is not None
+        page[number & _MASK] = content
+
+    def items(self) -> Iterator[tuple[Root, Content]]:
+        """All objects of which something was written."""
+        roots = self.numbers.roots
+        for key, page in self._pages.items():
+            for offset, content in enumerate(page):
+                if content is not None:
+                    yield roots[(key << _SHIFT) + offset], content
+
+    def differing(self, other: Store) -> list[int]:
+        """The numbers of the objects whose contents are not the same thing here and there."""
+        found: list[int] = []
+        pages, others = self._pages, other._pages
+        for key in compress(others, map(is_not, map(pages.get, others), others.values())):
+            ours = pages.get(key, _BLANK)
+            found += [(key << _SHIFT) + n for n in compress(_OFFSETS, map(is_not, ours, others[key]))]
+        if len(pages) > len(others) or not pages.keys() <= others.keys():
+            for key in pages.keys() - others.keys():
+                found += [(key << _SHIFT) + n for n in compress(_OFFSETS, map(is_not, pages[key], _BLANK))]
+        return found
+
+    def _fold(self) -> bool:
+        """Objects that were merged since this was current are one here, too; whether there were any."""
+        merges = self.numbers.merges
+        if self._folded == len(merges):
+            return False
+        for new, taken in merges[self._folded :]:
+            content = self.numbered(new)
+            for number in taken:
+                old = self.numbered(number)
+                if old is not None:
+                    content = both(EMPTY if content is None else content, self.numbers.melted(old))
+                    self._set(number, None)
+            if content is not None:
+                self._set(new, content)
+        self._folded = len(merges)
+        return True

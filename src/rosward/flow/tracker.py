@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does a walk through a body read of what stood there when it began, and what does it write?
+
+def on_timer(self):
+    self.count += 1            reads and writes the slot `count` of the node, and no other
+    self.pub.publish(self.m)   reads `pub` and `m`, and all that `m` leads to
+
+What it reads is noted as it stood at the beginning: contents that the walk itself has put together are told apart by being the same thing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Final, final
+
+from rosward.flow.sinks import DEEP
+
+if TYPE_CHECKING:
+    from rosward.effects.flows import Sink
+    from rosward.flow.content import Content
+    from rosward.flow.marks import Root
+    from rosward.flow.sinks import Chain
+    from rosward.flow.store import Store
+
+_MOST_SENT: Final = 256
+"""So many sinks and ways to them are told apart in a body."""
+
+Keys = set[object] | None
+"""Slots of an object; None where it is all of it."""
+_NO_KEYS: Final[frozenset[object]] = frozenset()
+
+
+@final
+class Tracker:
+    """Of one walk. `open`: it depends on more than that, so that it can't be remembered; `beside`: on what callbacks write."""
+
+    __slots__ = ("_first", "_own", "beside", "open", "placed", "reads", "sent", "wrote")
+
+    def __init__(self) -> None:
+        self.reads: dict[Root, Keys] = {}
+        self.wrote: dict[Root, Keys] = {}
+        self.placed: set[int] = set()
+        self.sent: dict[tuple[Sink, Chain | None], int] = {}
+        self.open = False
+        self.beside = False
+        self._first: dict[Root, Content] = {}  # what is read, as it stood when the walk began
+        self._own: dict[int, Content] = {}  # by id(): what the walk has put together itself
+
+    def read(self, root: Root, content: Content) -> None:
+        """All of an object is read."""
+        if id(content) not in self._own:
+            self._first.setdefault(root, content)
+            self.reads[root] = None
+        elif root in self._first and self.wrote.get(root, _NO_KEYS) is not None:
+            self.reads[root] = None
+
+    def read_slot(self, root: Root, key: object, content: Content) -> None:
+        """One slot of an object is read."""
+        if id(content) not in self._own:
+            self._first.setdefault(root, content)
+        else:
+            wrote = self.wrote.get(root, _NO_KEYS)
+            if root not in self._first or wrote is None or key in wrote:
+                return
+        keys = self.reads.get(root, _NO_KEYS)
+        if keys is None:
+            return
+        if keys:
+            assert isinstance(keys, set)
+            keys.add(key)
+        else:
+            self.reads[root] = {key}
+
+    def meets(self, root: Root, ours: Content, theirs: Content) -> Keys:
+        """Two contents of an object are joined: what is read for that, and written."""
+        if ours.base != theirs.base or ours.size != theirs.size or ours.any != theirs.any:
+            self.read(root, ours)
+            self.read(root, theirs)
+            return None
+        keys = {key for key, mark in theirs.slots.items() if ours.slots.get(key) != mark}
+        keys.update(key for key in ours.slots if key not in theirs.slots)
+        for key in keys:
+            self.read_slot(root, key, ours)
+            self.read_slot(root, key, theirs)
+        return keys
+
+    def write(self, root: Root, content: Content, keys: Iterable[object] | None) -> None:
+        """An object has another content from now on, which differs under these keys, or anywhere."""
+        self._own[id(content)] = content
+        self._writes(root, keys)
+
+    def _writes(self, root: Root, keys: Iterable[object] | None) -> None:
+        if keys is None:
+            self.wrote[root] = None
+            return
+        known = self.wrote.get(root, _NO_KEYS)
+        if known is None:
+            return
+        if known:
+            assert isinstance(known, set)
+            known.update(keys)
+        else:
+            self.wrote[root] = set(keys)
+
+    def send(self, sink: Sink, chain: Chain | None, mask: int) -> None:
+        """Something that depends on these sources was sent, through these statements."""
+        if len(self.sent) >= _MOST_SENT and (sink, chain) not in self.sent:
+            chain = None
+        self.sent[sink, chain] = self.sent.get((sink, chain), 0) | mask
+
+    def absorb(self, inner: Tracker, at: Chain, store: Store) -> None:
+        """A body inside was walked through, which is called here; `store` is what stands behind it."""
+        self._reads_as(inner, inner._first.__getitem__)
+        for root, keys in inner.wrote.items():
+            self._writes(root, keys)
+            content = store.known(root)
+            if content is not None and id(content) in inner._own:
+                self._own[id(content)] = content
+        self._has_sent(inner, at)
+
+    def repeat(self, inner: Tracker, at: Chain, standing: Callable[[Root], Content]) -> None:
+        """A body inside need not be walked through once more: it reads what is standing here, and what it writes is written elsewhere."""
+        self._reads_as(inner, standing)
+        self._has_sent(inner, at)
+
+    def ended(self) -> None:
+        """The walk has come to its end: what it has put together itself is of no interest any more."""
+        self._own = {}
+
+    def was_read(self, root: Root) -> Content:
+        """What stood there when the walk began, of something that it reads."""
+        return self._first[root]
+
+    def _reads_as(self, inner: Tracker, standing: Callable[[Root], Content]) -> None:
+        """What a body inside reads is read here, as it stands."""
+        for root, keys in inner.reads.items():
+            content = standing(root)
+            if keys is None:
+                self.read(root, content)
+            else:
+                for key in keys:
+                    self.read_slot(root, key, content)
+
+    def _has_sent(self, inner: Tracker, at: Chain) -> None:
+        self.placed |= inner.placed
+        for (sink, chain), mask in inner.sent.items():
+            self.send(sink, None if chain is None else (at + chain)[-DEEP:], mask)
+        self.open = self.open or inner.open
+        self.beside = self.beside or inner.beside
