@@ -5,12 +5,14 @@ from __future__ import annotations
 
 from pathlib import Path
 from random import Random
+from typing import Final
 
 import pytest
 
 import rosward
 from rosward.domain.values import Value
 from rosward.engine import recalled
+from rosward.engine.budget import Budget
 from rosward.engine.machine import Engine
 from rosward.engine.summaries import Call
 from rosward.outputs.documents.network_json import network_json
@@ -20,6 +22,9 @@ import random
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String
+
+class Refused(Exception):
+    pass
 
 class N(Node):
     def __init__(self):
@@ -53,15 +58,31 @@ _STATEMENTS = (
     "try:\n{inner}\nexcept ValueError:\n    self.a = {value}",
     "for w in (self.f{n}(u) for u in self.b):\n    v = w\n{inner}",
 )
+_RAISING = (
+    "if random.random() > 0.5:\n    raise ValueError({value})",
+    "if random.random() > 0.5:\n    raise Refused({value})",
+    "assert random.random() > 0.5, {value}",
+    "self.msg = String(); self.msg.data = {value}",
+    "try:\n{inner}\nexcept Refused as e:\n    self.a = e.args[0]",
+    "try:\n{inner}\nexcept Exception as e:\n    self.make(str(e))",
+    "try:\n{inner}\nexcept Refused:\n    self.make(self.a)\n    raise",
+    "try:\n{inner}\nfinally:\n    self.make(self.a)",
+    "with open('x') as f:\n{inner}",
+)
+_PLAIN = 8
+"""So many statements, the first of them, have no others in them; of those that have to do with exceptions four."""
 
 
-def _block(random: Random, functions: int, depth: int) -> str:
-    return "\n".join(_statement(random, functions, depth) for _ in range(random.randint(1, 3)))
+def _block(random: Random, functions: int, depth: int, *, raising: bool) -> str:
+    return "\n".join(_statement(random, functions, depth, raising=raising) for _ in range(random.randint(1, 3)))
 
 
-def _statement(random: Random, functions: int, depth: int) -> str:
-    chosen = random.choice(_STATEMENTS if depth else _STATEMENTS[:8])
-    inner = _indented(_block(random, functions, depth - 1), 1) if "{inner}" in chosen else ""
+def _statement(random: Random, functions: int, depth: int, *, raising: bool) -> str:
+    plain, others = _STATEMENTS[:_PLAIN], _STATEMENTS[_PLAIN:]
+    if raising:
+        plain, others = plain + _RAISING[:4], others + _RAISING[4:]
+    chosen = random.choice(plain + others if depth else plain)
+    inner = _indented(_block(random, functions, depth - 1, raising=raising), 1) if "{inner}" in chosen else ""
 
     def value() -> str:
         known = _VALUES if functions else [v for v in _VALUES if "{n}" not in v]
@@ -78,21 +99,23 @@ def _indented(text: str, depth: int) -> str:
     return "\n".join("    " * depth + line for line in text.splitlines())
 
 
-def _program(seed: int) -> str:
+def _program(seed: int, *, raising: bool = False) -> str:
     """A node whose callbacks call functions that read and write what it has; a function calls only those before it."""
     random = Random(seed)
     parts = [_HEAD]
     for number in range(3):
-        parts.append(f"    def f{number}(self, v):\n{_indented(_block(random, number, 2), 2)}\n        return v\n")
+        parts.append(
+            f"    def f{number}(self, v):\n{_indented(_block(random, number, 2, raising=raising), 2)}\n        return v\n"
+        )
     parts += [
-        f"    def {name}(self, v='t'):\n{_indented(start + _block(random, 3, 2), 2)}\n"
+        f"    def {name}(self, v='t'):\n{_indented(start + _block(random, 3, 2, raising=raising), 2)}\n"
         for name, start in (("tick", ""), ("hear", "v = v.data\n"))
     ]
     return "\n".join(parts) + _TAIL
 
 
-def _told(folder: Path) -> str:
-    result = rosward.extract(folder)
+def _told(folder: Path, budget: Budget | None = None) -> str:
+    result = rosward.extract(folder, budget=budget)
     return network_json(result.network)
 
 
@@ -100,6 +123,65 @@ def _told(folder: Path) -> str:
 def test_the_result_is_that_of_following_all(seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "main.py").write_text(_program(seed), encoding="utf-8")
     found = _told(tmp_path)
+    monkeypatch.setattr(recalled, "place_of", lambda *_: None)
+    assert found == _told(tmp_path)
+
+
+_LITTLE: Final = Budget(steps=30_000, entry_steps=30_000, callback_steps=60_000, entry_coarse=150, loop_steps=150)
+"""With it, precision is given up soon."""
+
+
+@pytest.mark.parametrize("budget", [Budget(), _LITTLE], ids=["usual", "little"])
+@pytest.mark.parametrize("seed", range(16))
+def test_exceptions_are_those_of_following_all(
+    seed: int, budget: Budget, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "main.py").write_text(_program(seed, raising=True), encoding="utf-8")
+    found = _told(tmp_path, budget)
+    monkeypatch.setattr(recalled, "place_of", lambda *_: None)
+    assert found == _told(tmp_path, budget)
+
+
+_TRIED = (
+    _HEAD
+    + """
+    def keep(self, name):
+        self.a = name
+        if random.random() > 0.5:
+            raise Refused(name)
+        self.a = name + "_done"
+        self.b[0]
+
+    def tick(self):
+        for name in ["p", "q"] * random.randint(0, 9):
+            self.c = self.c + 1
+            try:
+                self.keep("left")
+            except Refused as e:
+                self.make(e.args[0] + "/refused")
+            except IndexError:
+                self.make(self.a)
+
+    def hear(self, msg):
+        pass
+"""
+    + _TAIL
+)
+
+
+def test_a_handler_sees_what_a_recalled_call_wrote(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "main.py").write_text(_TRIED, encoding="utf-8")
+    recalls: list[Call] = []
+    repeated = recalled.repeated
+
+    def noting(machine: Engine, key: str, call: Call) -> Value:
+        recalls.append(call)
+        return repeated(machine, key, call)
+
+    monkeypatch.setattr(recalled, "repeated", noting)
+    found = _told(tmp_path)
+    assert any(call.told and call.written and call.raised for call in recalls)
+    assert all(f'"/{name}"' in found for name in ("left_done", "left/refused"))
     monkeypatch.setattr(recalled, "place_of", lambda *_: None)
     assert found == _told(tmp_path)
 
@@ -132,9 +214,9 @@ def test_a_call_that_would_do_the_same_is_not_made(tmp_path: Path, monkeypatch: 
     steps: list[int] = []
     repeated = recalled.repeated
 
-    def counting(machine: Engine, call: Call) -> Value:
+    def counting(machine: Engine, key: str, call: Call) -> Value:
         steps.append(call.effort.steps)
-        return repeated(machine, call)
+        return repeated(machine, key, call)
 
     monkeypatch.setattr(recalled, "repeated", counting)
     found = _told(tmp_path)

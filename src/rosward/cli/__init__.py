@@ -28,9 +28,15 @@ _OBJECTS: Final = 50_000
 """New objects between two looks for circles: most of what a command makes lives to its end, and to look through it takes a while."""
 
 
+_BRIEF: Final = frozenset({"check", "diff", "enclaves", "explain", "extract", "flow", "launch-tree", "list", "nodl"})
+"""The commands that end with their work: to look for circles frees next to nothing there."""
+
+
 def program() -> None:
     """The command as a process. At its end nothing is taken apart: the system frees it faster."""
     gc.set_threshold(_OBJECTS, *gc.get_threshold()[1:])
+    if sys.argv[1:] and sys.argv[1] in _BRIEF:
+        gc.disable()
     status = main()
     try:
         sys.stdout.flush()

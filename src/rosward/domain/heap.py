@@ -7,10 +7,10 @@ self.items.append(x)    heap[a] = heap[a].replace(items=(*items, x))
 from __future__ import annotations
 
 from collections.abc import Mapping, Set
-from typing import Final, Literal, TypedDict, final
+from typing import Any, Final, Literal, TypedDict, final
 
 from rosward.domain.series import Series
-from rosward.domain.table import NO_MARKS, unmarked, written
+from rosward.domain.table import NO_MARKS, Table, unmarked, written
 from rosward.domain.values import Value
 from rosward.records import NamedTuple
 
@@ -59,6 +59,7 @@ class Obj:
     `rest` joins the values under keys that are not known (None: there are none), `rest_key` those keys.
     many: the record stands for several objects of the program (made in a loop or a callback that runs again): writes only add.
     payload: what the kind needs beyond (the suspended call of a generator, say).
+    joined: the join of all elements, once somebody has asked for it (`element`); nothing that the program sees.
     """
 
     __slots__ = (
@@ -67,6 +68,7 @@ class Obj:
         "ends",
         "entries",
         "items",
+        "joined",
         "kind",
         "many",
         "maybe",
@@ -103,6 +105,7 @@ class Obj:
         self.payload = payload
         self.partial = partial
         self.ends = ends
+        self.joined: Value | None = None
 
     def replace(self, **changes: object) -> Obj:
         """A copy with some fields changed."""
@@ -121,6 +124,12 @@ class Obj:
         if self.items is not None:
             return Series(self.items)
         return self.ends if self.ends is not None else Series((), self.rest)
+
+    def element(self) -> Value | None:
+        """The join of all elements of a list or set; None where there are none. Of long lists it is asked again and again."""
+        if self.joined is None:
+            self.joined = self.series().element()
+        return self.joined
 
     def with_attr(self, name: str, value: Value) -> Obj:
         """A copy in which one attribute differs."""
@@ -145,7 +154,37 @@ class Obj:
         copy.payload = self.payload
         copy.partial = self.partial
         copy.ends = self.ends
+        copy.joined = None
         return copy
 
     def __repr__(self) -> str:
         return f"Obj({self.kind}, {self.cls}, attrs={list(self.attrs)}, items={self.items}, rest={self.rest})"
+
+
+def alike(one: Obj, other: Obj) -> bool:
+    """Whether two records say the same, in the same order."""
+    return (
+        one.kind == other.kind
+        and one.many == other.many
+        and one.cls == other.cls
+        and one.items == other.items
+        and one.rest == other.rest
+        and one.payload == other.payload
+        and _same(one.attrs, other.attrs)
+        and one.partial == other.partial
+        and one.ends == other.ends
+        and _same(one.entries, other.entries)
+        and one.maybe == other.maybe
+        and one.rest_key == other.rest_key
+    )
+
+
+def _same(one: Mapping[Any, Value], other: Mapping[Any, Value]) -> bool:
+    """Whether two mappings hold the same in the same order."""
+    if one is other:
+        return True
+    if len(one) != len(other):
+        return False
+    if one.__class__ is Table and other.__class__ is Table:
+        return not any(a != b for _, a, b in one.differing(other))
+    return one == other and list(one) == list(other)

@@ -16,7 +16,7 @@ from itertools import compress
 from operator import is_not
 from typing import Final, final
 
-from rosward.domain.heap import Obj
+from rosward.domain.heap import Obj, alike
 
 Page = list[Obj | None]
 Ground = Callable[[int], Obj | None]
@@ -105,11 +105,12 @@ class Heap:
         page[address & MASK] = obj
 
     def holds(self, addresses: Iterable[int], records: Iterable[Obj | None]) -> bool:
-        """Whether these records stand at these addresses, of this copy alone (None: nothing does)."""
+        """Whether these records, or such as say the same, stand at these addresses, of this copy alone (None: nothing does)."""
         pages = self.pages
         for address, record in zip(addresses, records, strict=True):
             page = pages.get(address >> SHIFT)
-            if record is not (None if page is None else page[address & MASK]):
+            found = None if page is None else page[address & MASK]
+            if record is not found and (record is None or found is None or not alike(record, found)):
                 return False
         return True
 

@@ -60,7 +60,7 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
     if found is not None:
         if machine.watch is not None:
             machine.watch.recalled(machine, code, context)
-        return recalled.repeated(machine, found)
+        return recalled.repeated(machine, code.key, found)
     call = None if place is None else recalled.begun(machine)
     raised, version, provisional = machine.raised, machine.state.version, machine.summaries.provisional
     noted, machine.noted = machine.noted, 0
@@ -75,6 +75,8 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
             call.value, call.level = value, level
             recalled.ended(machine, place, code.key, call)
     finally:
+        if call is not None:
+            recalled.closed(machine, call)
         asked_for, machine.asked_for = machine.asked_for, outer
         outer |= asked_for
         if importing:

@@ -15,6 +15,7 @@ from rosward.domain.memory import Heap
 from rosward.domain.state import State, join_objects, join_registers, join_states
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
+from rosward.engine.told import Kind, Telling, Told
 
 if TYPE_CHECKING:
     from rosward.effects.log import Execution
@@ -50,6 +51,8 @@ class Catcher:
         "level",
         "noted",
         "snapshot",
+        "told",
+        "untold",
         "version",
     )
 
@@ -67,6 +70,8 @@ class Catcher:
         self.arrived: dict[Value, Heap] = {}  # by exception, the heap in which it came last
         self.level = 0
         self.importing = False  # an import in the body may fail
+        self.told: list[Telling | None] | None = None  # what is told here, while a call is remembered
+        self.untold = False  # nothing was told since the innermost of these calls began
 
     @property
     def reached(self) -> bool:
@@ -86,7 +91,11 @@ class Catcher:
             self.level, self.noted = level, variables
             self.snapshot = Snapshot(self.frame.registers.copy(), state.copy())
             self.version = state.version
+            if self.told is not None:
+                self._tell(Telling(Kind.NOTED, level, None, state.heap.copy(), state.done))
             return
+        if self.told is not None and (self.untold or level > self.level) and self.version == state.version:
+            self._tell(Telling(Kind.NOTED, level, None, None, state.done))
         self.level = max(self.level, level)
         if self.version != state.version:
             self._take(machine, state)
@@ -99,6 +108,8 @@ class Catcher:
         for each in options(exception):
             snapshot = Snapshot(self.frame.registers.copy(), state.copy())
             heap = snapshot.state.heap
+            if self.told is not None:
+                self.told.append(Telling(Kind.ARRIVED, 0, each, heap.copy(), state.done))
             self.arrivals[each] = join_into(machine, self.arrivals.get(each), snapshot, known=self.arrived.get(each))
             self.arrived[each] = heap
         self.arrivals = self.few(machine, _MOST)
@@ -121,6 +132,16 @@ class Catcher:
             self._take(machine, machine.state)
             return
         self.version = machine.state.version
+        if self.told is not None:
+            self._tell(Telling(Kind.WRITTEN, self.level, None, None, machine.state.done, ((address, obj),)))
+        self._cover(machine, address, obj)
+
+    def _tell(self, telling: Telling) -> None:
+        assert self.told is not None
+        self.untold = False
+        self.told.append(telling)
+
+    def _cover(self, machine: Execution, address: int, obj: Obj) -> None:
         state = self.snapshot.state
         old = state.heap.stands(address)
         merged = obj if old is None else join_objects(old, obj, join)
@@ -128,10 +149,32 @@ class Catcher:
             state.heap[address] = merged
             state.version = machine.fresh_version()
 
+    def told_again(self, machine: Execution, told: Told, state: State, *, first: bool) -> None:
+        """What a call told that need not run again, in the state that it is called from with the objects that differ in it (used up)."""
+        if told.kind is Kind.ARRIVED:
+            assert told.exception is not None
+            self.arrive(machine, told.exception, state)
+        elif told.kind is Kind.WRITTEN and not self.level:
+            return
+        elif first:
+            if told.kind is Kind.NOTED:
+                self.note(machine, told.level, state)
+            else:
+                self._take(machine, state)
+        else:
+            if self.told is not None:
+                self._tell(Telling(told.kind, told.level, None, None, state.done, told.objects))
+            self.level = max(self.level, told.level)
+            self.snapshot.state.done &= state.done
+            for address, obj in told.objects:
+                self._cover(machine, address, obj)
+
     def _take(self, machine: Execution, found: State) -> None:
         """The state has become another one, not by writes alone: an exception that is not known may come in all of it."""
         self.version = found.version
         taken = found.copy()
+        if self.told is not None:
+            self._tell(Telling(Kind.NOTED, self.level, None, taken.heap, found.done))
         self.snapshot.state = join_states(self.snapshot.state, taken, machine.fresh_version, known=self.covered)
         self.covered = taken.heap
 

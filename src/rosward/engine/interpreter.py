@@ -249,6 +249,7 @@ class Interpreter(Answers):
         old = self.state.heap.get(address)
         if address in self.unheld:
             self.unheld.discard(address)
+            self.summaries.anew.append(address)
         elif old is not None and not (isinstance(old.payload, Suspension) and old.payload.is_over):
             joined = join_objects(old, obj, join)
             if not joined.many:

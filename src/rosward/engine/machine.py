@@ -62,6 +62,9 @@ class Watcher(Protocol):
     def remember(self, key: object, code: Code, context: int) -> None:
         """The result of a call is remembered."""
 
+    def recalled(self, machine: Engine, code: Code, context: int) -> None:
+        """A call does what it did before in that context."""
+
     def again(self, machine: Engine, key: object) -> None:
         """What is remembered of a call is its result once more."""
 

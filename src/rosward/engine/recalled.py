@@ -13,28 +13,69 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Value
+from rosward.engine import schedule
 from rosward.engine.summaries import Call
-from rosward.engine.throwing import note
+from rosward.engine.throwing import may_end
+from rosward.engine.told import Kind, told_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
+    from rosward.engine.told import Telling
 
 _LEAST: Final = 16
 """A call of fewer steps is made as quickly as it is remembered."""
 _KEPT: Final = 2
 """So many calls with the same arguments, in the same place, are told apart by what they read."""
+_PATIENCE: Final = 30
+"""So many calls of one function are remembered in vain, before those that follow are made without that."""
+_WORTH: Final = 10
+"""For so many of them one that is recalled makes up."""
+_MOST_TOLD: Final = 200
+"""So much may be told to the `try` around in a call that is remembered."""
 _MOST: Final = 4_000
 """So many places are remembered."""
 
 
 def begun(machine: Engine) -> Call:
     """A call begins that is to be remembered."""
-    return Call(machine.state, _around(machine), _before(machine), machine.precision.effort())
+    call = Call(machine.state, _around(machine), _before(machine), machine.precision.effort())
+    call.raised, call.begun_anew = machine.raised, len(machine.summaries.anew)
+    catcher = call.catcher = machine.catchers[-1] if machine.catchers else None
+    told = machine.summaries.told if catcher is None else catcher.told
+    if told is not None:
+        call.first = len(told)
+        _forget(told)
+    elif catcher is None:
+        machine.summaries.told, call.outermost = [], True
+    else:
+        catcher.told, call.outermost = [], True
+    if catcher is not None:
+        catcher.untold = True
+    return call
+
+
+def _forget(told: list[Telling | None]) -> None:
+    """What is too long ago for any call that is running to be remembered with it: each holds a heap."""
+    last = len(told) - _MOST_TOLD - 1
+    while last >= 0 and told[last] is not None:
+        told[last] = None
+        last -= 1
+
+
+def closed(machine: Engine, call: Call) -> None:
+    """A call that was to be remembered is over, however it ended: the outermost of them needs no more what was told in it."""
+    catcher, call.catcher = call.catcher, None
+    if not call.outermost:
+        return
+    if catcher is None:
+        machine.summaries.told = None
+    else:
+        catcher.told = None
 
 
 def ended(machine: Engine, place: object, key: str, call: Call) -> None:
     """A call has come to its end: it is remembered if it can be, and is worth it."""
-    summaries, heap, state = machine.summaries, call.heap, machine.state
+    summaries, heap, state, catcher = machine.summaries, call.heap, machine.state, call.catcher
     call.heap = None
     assert heap is not None
     if call.before != _before(machine) or not machine.precision.was_precise(call.effort) or not call.done <= state.done:
@@ -43,14 +84,26 @@ def ended(machine: Engine, place: object, key: str, call: Call) -> None:
     if call.effort.steps < _LEAST:
         summaries.small.add(key)
         return
+    tellings = summaries.told if catcher is None else catcher.told
+    assert tellings is not None
+    if len(tellings) - call.first > _MOST_TOLD:
+        return
+    told = told_of([each for each in tellings[call.first :] if each is not None], heap, call.done)
+    if told is None:
+        return
+    call.told, call.raised = told, machine.raised - call.raised
+    call.settled = catcher is not None and catcher.version == state.version
     call.written = tuple(state.heap.changed_since(heap))
     call.added = state.done - call.done
-    if machine.catchers and (call.written or call.added):
-        return  # each state on the way counts for the handlers
-    call.importing = bool(machine.catchers) and machine.catchers[-1].importing
-    call.asked_for = frozenset(machine.asked_for)
-    call.addresses = tuple(call.asked_for.union([address for address, _ in call.written]))
+    call.importing = catcher is not None and catcher.importing
+    call.asked_for, call.anew = frozenset(machine.asked_for), frozenset(summaries.anew[call.begun_anew :])
+    changed = [address for address, _ in call.written]
+    changed += [address for each in told for address, _ in each.objects]
+    call.addresses = tuple(call.asked_for.union(changed, call.anew))
     call.records = tuple(map(heap.get, call.addresses))
+    summaries.vain[key] = vain = summaries.vain.get(key, 0) + 1
+    if vain > _PATIENCE:
+        summaries.small.add(key)
     if len(summaries.calls) > _MOST:
         summaries.calls.clear()
     summaries.calls[place] = (call, *summaries.calls.get(place, ())[: _KEPT - 1])
@@ -65,27 +118,63 @@ def known(machine: Engine, place: object) -> Call | None:
             and machine.precision.allows(call.effort)
             and call.done <= state.done
             and call.around == _around(machine)
-            and machine.unheld.isdisjoint(call.addresses)
+            and call.anew.issuperset(machine.unheld.intersection(call.addresses))
+            and call.anew <= machine.unheld
         ):
             return call
     return None
 
 
-def repeated(machine: Engine, call: Call) -> Value:
+def repeated(machine: Engine, key: str, call: Call) -> Value:
     """What a call gives; the machine is where it would be behind it."""
+    vain = machine.summaries.vain
+    vain[key] = vain.get(key, 0) - _WORTH
+    if call.told:
+        _tell_again(machine, call)
     state = machine.state
     for address, record in call.written:
         state.heap[address] = record
     state.done |= call.added
     if call.written or call.added:
         state.version = machine.fresh_version()
+    if call.anew:
+        machine.unheld -= call.anew
+        machine.summaries.anew += call.anew
+    machine.raised += call.raised
     machine.asked_for |= call.asked_for
     machine.precision.repeat(call.effort)
-    if call.importing:
-        machine.catchers[-1].importing = True
-    if call.level:
-        note(machine, call.level)
+    if machine.catchers:
+        machine.noted = max(machine.noted, call.level)
+        if call.importing:
+            machine.catchers[-1].importing = True
+        if call.settled:
+            machine.catchers[-1].version = state.version
     return call.value
+
+
+def _tell_again(machine: Engine, call: Call) -> None:
+    """Tell the `try` around what the call told it, or the end of the program."""
+    begun, first = machine.state, True
+    catcher = machine.catchers[-1] if machine.catchers else None
+    steps = machine.precision.steps
+    for told in call.told:
+        state = begun.copy()
+        if told.objects or told.done:
+            state.version = machine.fresh_version()
+            state.done |= told.done
+            if first or told.kind is Kind.ARRIVED:
+                for address, obj in told.objects:
+                    state.heap[address] = obj
+        if catcher is not None:
+            catcher.told_again(machine, told, state, first=first)
+            first = first and told.kind is Kind.ARRIVED
+        else:
+            assert told.exception is not None
+            machine.state = state
+            may_end(machine, told.exception)
+            schedule.uncaught(machine, told.exception)
+    machine.state = begun
+    machine.precision.steps = steps  # those that it takes are among those of the call
 
 
 def _around(machine: Engine) -> tuple[object, ...]:
@@ -97,11 +186,7 @@ def _around(machine: Engine) -> tuple[object, ...]:
         bool(trace.handed),
         bool(book.entries),
         book.by_library,
-        book.was_run,
-        book.main_raised,
-        book.threads_raised,
         book.running,
-        book.spins,
         machine.hooked,
         machine.unhooked is None,
         frozenset(machine.advancing),
@@ -113,12 +198,11 @@ def _before(machine: Engine) -> tuple[object, ...]:
     """What must not change while a call runs that is remembered: it was no part of another one, and ended nothing."""
     summaries = machine.summaries
     return (
-        machine.raised,
         summaries.provisional,
         summaries.asked,
-        len(machine.log.ends),
+        len(machine.log.ends) - summaries.uncaught,
         machine.schedule_book.spins,
-        len(machine.unheld),
+        machine.schedule_book.asked,
     )
 
 
@@ -133,10 +217,17 @@ def place_of(machine: Engine, key: str, given: object, context: int) -> object:
         or not (precision.loops or machine.schedule_book.running)
         or machine.handling
         or machine.making
-        or machine.summaries.running
         or not machine.log.tells_once
         or key in machine.summaries.small
     ):
         return None
-    where = bool(machine.catchers), bool(precision.loops), bool(precision.fixpoints), precision.coarse
+    where = _tried(machine), bool(precision.loops), bool(precision.fixpoints), precision.coarse
     return given, context, where
+
+
+def _tried(machine: Engine) -> object:
+    """What a call may ask of the `try` around: what each surely catches, innermost first, and whether the state counts there already."""
+    catchers = machine.catchers
+    if not catchers:
+        return None
+    return catchers[-1].level, tuple(dict.fromkeys([(c.handles, c.classes) for c in reversed(catchers)]))

@@ -52,7 +52,7 @@ def recalling(follow: Follow) -> Follow:
             return follow(machine, op, frame)
         found = recalled.known(machine, place)
         if found is not None:
-            recalled.repeated(machine, found)
+            recalled.repeated(machine, key, found)
             for register, value in zip(used[1], found.left, strict=True):
                 registers[register] = value
             frame.op, frame.sequence = found.stands
@@ -66,6 +66,7 @@ def recalling(follow: Follow) -> Follow:
                 call.stands = frame.op, frame.sequence
                 recalled.ended(machine, place, key, call)
         finally:
+            recalled.closed(machine, call)
             asked_for, machine.asked_for = machine.asked_for, outer
             outer |= asked_for
         return alive

@@ -137,10 +137,10 @@ def uncaught(machine: Engine, exception: Value) -> None:
     """Nothing catches an exception. That of a callback comes out where the program spins, that of a thread ends there."""
     book = machine.schedule_book
     if not book.running:
-        book.main_raised = join(book.main_raised, exception)
+        book.uncaught(exception, thread=False)
         return
     if book.event == "thread":
-        book.threads_raised = join(book.threads_raised, exception)
+        book.uncaught(exception, thread=True)
         return
     for option in options(exception):
         known = book.raised.get(option)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, final
 
+from rosward.domain.choice import join
 from rosward.domain.values import UNBOUND, Value
 from rosward.records import NamedTuple
 
@@ -29,16 +30,17 @@ class Schedule:
     """All that was registered so far, by callback, arguments and event."""
 
     __slots__ = (
+        "_main_raised",
+        "_threads_raised",
+        "asked",
         "by_library",
         "entries",
         "event",
-        "main_raised",
         "named",
         "raised",
         "running",
         "settled",
         "spins",
-        "threads_raised",
     )
 
     def __init__(self) -> None:
@@ -46,14 +48,35 @@ class Schedule:
         self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
         self.running = False
         self.by_library = False  # something that the program handed out may be called by a library
-        self.main_raised: Value = UNBOUND  # the exceptions by which the main body may end
-        self.threads_raised: Value = UNBOUND  # those that threads do not catch
+        self._main_raised: Value = UNBOUND
+        self._threads_raised: Value = UNBOUND
+        self.asked = 0  # how often somebody asked what only the schedule knows
         self.spins = 0  # how often the main body came to where callbacks run
         self.event = ""  # of the entry that is running
         self.raised: dict[Value, State] = {}  # what callbacks raise and do not catch, and the states in which they do
         self.settled = (-1, -1)  # the number of entries and the version with which all came to rest last time
 
+    def uncaught(self, exception: Value, *, thread: bool) -> None:
+        """Nothing in the main body, or in a thread, catches an exception."""
+        if thread:
+            self._threads_raised = join(self._threads_raised, exception)
+        else:
+            self._main_raised = join(self._main_raised, exception)
+
+    @property
+    def main_raised(self) -> Value:
+        """The exceptions by which the main body may end."""
+        self.asked += 1
+        return self._main_raised
+
+    @property
+    def threads_raised(self) -> Value:
+        """Those that threads do not catch."""
+        self.asked += 1
+        return self._threads_raised
+
     @property
     def was_run(self) -> bool:
         """Whether the program was somewhere where its callbacks run."""
+        self.asked += 1
         return self.settled[0] >= 0

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, final
 
+from rosward.domain.memory import SHIFT
 from rosward.domain.values import UNBOUND, Value
 
 if TYPE_CHECKING:
@@ -13,6 +15,7 @@ if TYPE_CHECKING:
     from rosward.domain.state import EventKey, State
     from rosward.engine.catcher import Catcher
     from rosward.engine.precision import Effort
+    from rosward.engine.told import Telling, Told
     from rosward.ir.ops import Op
     from rosward.ir.program import OpKey
 
@@ -31,6 +34,7 @@ class Summary:
         "begun",
         "catcher",
         "joined",
+        "pages",
         "provisional",
         "registers",
         "turn",
@@ -50,6 +54,20 @@ class Summary:
         self.whole = False  # who calls sees all of the states behind, not only what the body changed
         self.provisional = False  # it was made of another summary that was unfinished then
         self.turn = -1  # the turn of the outermost summary in which it was made last
+        self.pages: tuple[int, dict[int, list[int]]] = 0, {}  # how many addresses were asked for, and these by page
+
+    def asked_apart(self, one: Heap, other: Heap) -> Iterator[int]:
+        """The addresses that its body asked for on the pages that two heaps do not share."""
+        count, pages = self.pages
+        if count != len(self.asked_for):  # it only grows
+            pages = {}
+            for address in self.asked_for:
+                pages.setdefault(address >> SHIFT, []).append(address)
+            self.pages = len(self.asked_for), pages
+        ours, theirs = one.pages, other.pages
+        for number, addresses in pages.items():
+            if ours.get(number) is not theirs.get(number):
+                yield from addresses
 
     @property
     def versions(self) -> tuple[object, ...]:
@@ -65,17 +83,25 @@ class Call:
     __slots__ = (
         "added",
         "addresses",
+        "anew",
         "around",
         "asked_for",
         "before",
+        "begun_anew",
+        "catcher",
         "done",
         "effort",
+        "first",
         "heap",
         "importing",
         "left",
         "level",
+        "outermost",
+        "raised",
         "records",
+        "settled",
         "stands",
+        "told",
         "value",
         "written",
     )
@@ -86,12 +112,20 @@ class Call:
         self.done = state.done
         self.effort = effort
         self.heap: Heap | None = state.heap.copy()  # until it ends
+        self.catcher: Catcher | None = None  # the `try` around, until it ends
+        self.first = 0  # how much was told there before
+        self.outermost = False  # no other call was remembered before, of those that tell the same
+        self.told: tuple[Told, ...] = ()  # what the `try` around is told, or the end of the program where there is none
+        self.settled = False  # the `try` around knows the state behind it
+        self.raised = 0  # how many exceptions were raised
         self.value: Value = UNBOUND
         self.level = 0  # what Python may raise in it
         self.importing = False  # an import in it may fail
         self.left: tuple[Value, ...] = ()  # of a loop: what stands in the registers that it writes,
         self.stands: tuple[Op, int]  # and the operation that ran last, with what that made
         self.asked_for: frozenset[int] = frozenset()
+        self.anew: frozenset[int] = frozenset()  # the addresses at which it makes what nothing holds any more
+        self.begun_anew = 0  # how many of them there were before
         self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
         self.records: tuple[Obj | None, ...] = ()  # what stood there
         self.written: tuple[tuple[int, Obj], ...] = ()
@@ -103,6 +137,7 @@ class Summaries:
     """What one process remembers of its calls."""
 
     __slots__ = (
+        "anew",
         "asked",
         "calls",
         "changes",
@@ -115,7 +150,10 @@ class Summaries:
         "recursive",
         "running",
         "small",
+        "told",
         "turns",
+        "uncaught",
+        "vain",
     )
 
     def __init__(self) -> None:
@@ -124,6 +162,7 @@ class Summaries:
         ] = {}  # results, what Python may raise, and what was asked for
         self.calls: dict[object, tuple[Call, ...]] = {}  # what calls did, by place (`recalled.py`)
         self.small: set[str] = set()  # the code bodies, by their keys, of which calls are not worth to be remembered
+        self.vain: dict[str, int] = {}  # by code body, how many calls were remembered in vain
         self.epoch = 0  # which run of a summary's body is going on: what was remembered outside of it tells not what it asked for
         self.running: dict[object, Summary] = {}  # of recursions that are being solved
         self.finished: dict[object, Summary] = {}  # of recursions and large functions; in coarse mode only
@@ -134,3 +173,8 @@ class Summaries:
         self.asked = 0  # how often a call looked at more than records: at a summary, a generator that runs, a frame
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one
+        self.told: list[Telling | None] | None = (
+            None  # the exceptions that no `try` gets, while a call outside of all is remembered
+        )
+        self.anew: list[int] = []  # the addresses that nothing held and that were taken again
+        self.uncaught = 0  # how many of them ended the main body

@@ -97,7 +97,7 @@ def _take_in(machine: Engine, summary: Summary, registers: list[Value], merge: M
     changed = before != summary.registers
     state = machine.state.copy()
     known, heap = summary.before.heap, state.heap
-    for address in summary.asked_for:
+    for address in summary.asked_apart(known, heap):
         if known.get(address) is heap.get(address):
             continue
         ours, theirs = known.stands(address), heap.stands(address)
@@ -134,7 +134,7 @@ def _changed(machine: Engine, summary: Summary, called: State, state: State) -> 
             found.heap[address] = obj
         else:  # another one was made there before
             found.heap[address] = join_objects(old, obj, join).replace(many=True)
-    for address in summary.asked_for:
+    for address in summary.asked_apart(state.heap, found.heap):
         seen = state.heap.get(address)
         if seen is not None and found.heap.stands(address) is None:
             found.heap[address] = seen

@@ -11,6 +11,7 @@ from rosward.domain.state import State
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Unknown, Value
 from rosward.engine.catcher import ANYTHING, LIBRARY, OPERATION, Catcher
+from rosward.engine.told import Kind, Telling
 from rosward.models.failures import tell_uncaught
 from rosward.models.python.plain import EXCEPTION_HINT
 
@@ -68,8 +69,17 @@ def throw(machine: Engine, exception: Value) -> None:
         machine.catchers[-1].arrive(machine, exception, machine.state)
     else:
         tell_uncaught(machine, exception)
-        machine.log.may_end(machine)
+        may_end(machine, exception)
         machine.uncaught(exception)
+
+
+def may_end(machine: Engine, exception: Value) -> None:
+    """An exception that nothing catches may end the main body here."""
+    summaries, state = machine.summaries, machine.state
+    if summaries.told is not None:
+        summaries.told.append(Telling(Kind.ARRIVED, 0, exception, state.heap.copy(), state.done))
+    summaries.uncaught += not machine.in_callback
+    machine.log.may_end(machine)
 
 
 def rethrow(machine: Engine, inner: Catcher, seen: Callable[[State], State] = State.copy) -> None:

@@ -71,7 +71,7 @@ _OF_CODE: Final = (
     *("is_generator", "is_coroutine", "is_stub", "annotations", "returns", "doc", "language"),
 )
 _OF_CLASS: Final = ("address", "name", "qualname", "module", "bases", "mro", "place", "stub")
-_OF_OBJECT: Final = tuple(sorted(Obj.__slots__))
+_OF_OBJECT: Final = tuple(sorted(set(Obj.__slots__) - {"joined"}))
 
 Lines = Sequence[bytes]
 

@@ -107,7 +107,7 @@ def _at(machine: Machine, obj: Obj, key: Value) -> Value:
     """The element at an index; no execution goes on that asks for one behind the end."""
     series = obj.series()
     numbers = [int_of(option) for option in options(key)]
-    found = [series.element() if n is None else series.at(n) if n >= 0 else None for n in numbers]
+    found = [obj.element() if n is None else series.at(n) if n >= 0 else None for n in numbers]
     known = [element for element in found if element is not None]
     return join_all(known) if known else machine.unknown(Cause.OPERATION, "element beyond the end")
 
