@@ -130,6 +130,7 @@ def memory() -> Memory:
         many={MANY},
         inner={},
         numbers=Numbers(),
+        few=48,
         tracker=None,
         trail=None,
         spent=0,

@@ -68,9 +68,6 @@ class Watcher(Protocol):
     def again(self, machine: Engine, key: object) -> None:
         """What is remembered of a call is its result once more."""
 
-    def recalled(self, machine: Engine, code: Code, context: int) -> None:
-        """A call does what it did before in that context: what was seen of it then counts here, too."""
-
     def wrote(self, address: int) -> None:
         """The object at an address is written to."""
 

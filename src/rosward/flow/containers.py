@@ -266,10 +266,8 @@ def _size(call: NativeCall) -> Mark:
     mark = call.mark(0)
     memory = call.walker.memory
     mask = call.pc | mark.mask | memory.size(mark.roots)
-    for root in opaque(mark):
-        if root[0] not in ("tuple", "generator"):
-            mask |= memory.deep(Mark(0, frozenset((root,))))
-    return Mark(mask)
+    held = frozenset[Root](root for root in opaque(mark) if root[0] not in ("tuple", "generator"))
+    return Mark(mask | memory.deep(Mark(0, held)))
 
 
 def change(call: NativeCall) -> Mark:

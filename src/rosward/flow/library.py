@@ -26,8 +26,6 @@ _KNOWN: Final = ("rclpy.", "tf2_ros.", "builtins.")
 """Their methods keep nothing of what they are given that they give back later, unless a model says so."""
 _FEW: Final = 12
 """So many objects the result of an unknown call is said to be itself; it leads to more."""
-_MANY: Final = 32
-"""Unknown code that reaches more objects may have written each into each: from then on they are one."""
 
 
 def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
@@ -124,7 +122,7 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
         reached.update(walker.memory.reached(mark))
     walker.memory.write_any(reached, Mark(mask | given), mask)
     behind = frozenset[Root]().union(*(m.roots for m in everything))
-    if len(reached) > _MANY:
+    if len(reached) > walker.shape.few:  # it may have written each into each
         walker.memory.merge(reached)
     if len(behind) > _FEW:
         walker.memory.merge(opaque(Mark(0, behind)))

@@ -42,9 +42,8 @@ if TYPE_CHECKING:
     from rosward.engine.watch import Watch
 
 _ROUNDS: Final = 40
-_STEPS_EACH: Final = 2
-"""The walk may take so many times the steps of the interpretation."""
-_LEAST: Final = 300_000
+_LEAST: Final = 100_000
+"""The walk may take as many steps as the interpretation, but these at least, and no more than twice as many."""
 _EVENTS: Final = {
     "message": ("topic", "subscription"),
     "service": ("service", "service_server"),
@@ -71,7 +70,7 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     """Walk through a process that was interpreted while somebody watched."""
     both = {**straight.TABLE, **blocks.TABLE}
     tables = {PYTHON: Table(both), CPP: Table({**both, **cpp.TABLE})}
-    most = max(_LEAST, machine.precision.steps * _STEPS_EACH)
+    most = min(max(_LEAST, machine.precision.steps), 2 * _LEAST)
     walker = Walker(watch, Shape(machine), tables, most, machine.budget.watched)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
     try:

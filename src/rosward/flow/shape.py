@@ -40,6 +40,13 @@ _FIELDS: Final = ("__match_args__", "_fields")
 """The attributes in which a class keeps the names of its fields."""
 
 
+_FEW: Final = ((30_000, 48), (100_000, 12), (float("inf"), 4))
+"""While less was spent than that, so many objects are told apart."""
+_ALL: Final = 1_000_000
+_MOST_PARTS: Final = 6
+"""What a library makes has no name from so many dots on: it may be made of itself, in each turn of a loop."""
+
+
 @final
 class Shape:
     """Which objects there are several of, which are nodes, and what each holds at the end.
@@ -74,7 +81,14 @@ class Shape:
 
     def made(self, activation: Activation, number: int, name: str = "", kind: str = "made") -> Root:
         """The object that an operation makes and that has no address; `name`: of what in a library it is the result."""
-        return (kind, activation, number, name)
+        return (kind, activation, number, name if name.count(".") < _MOST_PARTS else "")
+
+    @property
+    def few(self) -> int:
+        """So many objects that one value may be are told apart; the more was walked through, the fewer. In C++ parts have a place in the whole."""
+        if self._machine.linked is not None:
+            return _ALL
+        return next(few for spent, few in _FEW if self.spent < spent)
 
     def record(self, address: int) -> Obj | None:
         """What stands at an address at the end."""

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
 _MOST_LOOKS: Final = 64
-_FEW: Final = 48
-"""So many objects that a value may be are told apart."""
+_DEPTH: Final = 8
+"""Where a value leads to so many times more objects than it may be itself, these are one from then on."""
 _APART: Final = frozenset(("made", "tuple", "of", "arrived", "external", MELTED))
 """What without an address may be one with others."""
 _KINDS: Final = frozenset(("instance", "list", "dict", "set"))
@@ -48,8 +48,9 @@ class Standing(Store):
         assert isinstance(roots, frozenset)
         if len(roots) < 2:
             return roots
+        self.shape.spent += len(roots) >> 3
         found = self.numbers.apart(roots)
-        if len(found) > _FEW:
+        if len(found) > self.shape.few:
             self.merge(found)
             found = self.numbers.apart(roots)
         return found
@@ -125,14 +126,21 @@ class Standing(Store):
         found = NOTHING
         for root in self.apart(roots):
             found = found.joined(self.part(root, key).read(key))
-        return found
+        return self.told(found)
 
     def read_all(self, roots: Iterable[Root]) -> Mark:
         """All that stands in any of several objects."""
         found = NOTHING
         for root in self.apart(roots):
             found = found.joined(self.of(root).whole)
-        return found
+        return self.told(found)
+
+    def told(self, mark: Mark) -> Mark:
+        """The same; where it leads to very many objects, with one for all that are merged."""
+        if len(mark.roots) <= self.shape.few:
+            return mark
+        self.shape.spent += len(mark.roots) >> 3
+        return Mark(mark.mask, self.numbers.canonical(mark.roots))
 
     def base(self, roots: Iterable[Root]) -> int:
         """What stands in objects that came from outside, as far as one look tells."""
@@ -216,6 +224,7 @@ class Standing(Store):
         work = set(canonical(roots))
         known = {id(roots)}
         met: set[int] = set()  # what stands for several
+        repeated = 0
         nodes = self.shape.nodes
         while work:
             if len(seen) > _MOST:
@@ -224,6 +233,7 @@ class Standing(Store):
             number = of.get(root)
             if number in merged:
                 if number in met:
+                    repeated += 1
                     continue
                 met.add(number)
             content = seen[root] = self.of(root)
@@ -236,7 +246,9 @@ class Standing(Store):
                 known.add(id(whole.roots))
                 work |= canonical(whole.roots) - seen.keys() - nodes
             work.update(r for r in self._holds(root) if r not in seen)
-        self.shape.spent += len(seen)
+        self.shape.spent += len(seen) + (repeated >> 3)
+        if len(seen) > self.shape.few * _DEPTH:
+            self.merge(seen)
         return Looked(mask, {**further, **seen}, self.shape.tracker)
 
     def reached(self, mark: Mark) -> Iterator[Root]:

@@ -34,7 +34,7 @@ MELTED: Final = "melted"
 class Numbers:
     """The numbers of the objects of one walk."""
 
-    __slots__ = ("_apart", "_canonical", "_covered", "held", "led", "merged", "merges", "of", "roots")
+    __slots__ = ("_apart", "_canonical", "_covered", "_named", "held", "led", "merged", "merges", "of", "roots")
 
     def __init__(self) -> None:
         self.of: dict[Root, int] = {}
@@ -45,6 +45,7 @@ class Numbers:
         self.held: set[Root] = set()  # what was ever written into an object
         self._covered: dict[tuple[int, int], tuple[Content, Content]] = {}
         self._apart: dict[frozenset[Root], frozenset[Root]] = {}
+        self._named: dict[tuple[int, str], Root] = {}  # the one that stands for others of the same name
         self._canonical: dict[frozenset[Root], frozenset[Root]] = {}
 
     def number(self, root: Root) -> int:
@@ -57,34 +58,41 @@ class Numbers:
 
     def merge(self, members: Iterable[Root], led: frozenset[Root]) -> None:
         """Several objects are one from now on."""
-        several: list[Root] = []
-        taken: dict[int, None] = {}
-        for root in members:
-            number = self.number(root)
-            if number not in taken:
-                taken[number] = None
-                several += self.merged.pop(number, (root,))
+        taken = dict.fromkeys(self.number(root) for root in members)
+        known = [number for number in taken if number in self.merged]
+        if known:  # what stood for most of them stands for all
+            new = max(known, key=lambda number: len(self.merged[number]))
+        else:
+            new = self.number((MELTED, len(self.merges)))
+            self.merged[new] = [self.roots[new]]
+        for number in taken:
+            if number != new:
+                several = self.merged.pop(number, [self.roots[number]])
                 led |= self.led.pop(number, frozenset())
-        new = self.number((MELTED, len(self.merges)))
-        several.append(self.roots[new])
-        for root in several:
-            self.of[root] = new
-        self.merged[new] = several
+                self.merged[new] += several
+                self.of.update(dict.fromkeys(several, new))
         self._apart.clear()
         self._canonical.clear()
-        self.led[new] = self.canonical(led)
-        self.merges.append((new, tuple(taken)))
+        self.led[new] = self.canonical(led | self.led.get(new, frozenset()))
+        self.merges.append((new, tuple(number for number in taken if number != new)))
 
     def canonical(self, roots: frozenset[Root]) -> frozenset[Root]:
-        """The same objects, with what stands for those that are merged in their place; what has a name keeps it."""
+        """The same objects, with one for all that are merged; of things of libraries, one for each name."""
         if not self.merged:
             return roots
         found = self._canonical.get(roots)
         if found is None:
             of, merged = self.of, self.merged
-            apart = [r for r in roots if of.get(r) in merged and not name_of(r)]
-            found = roots.difference(apart).union(self.roots[of[r]] for r in apart) if apart else roots
-            self._canonical[roots] = found
+            ones: dict[object, Root] = {}
+            for root in roots:
+                number = of.get(root)
+                if number is None or number not in merged:
+                    ones[root] = root
+                elif not isinstance(root, int) and root[0] != "of" and (name := name_of(root)):
+                    ones[number, name] = self._named.setdefault((number, name), root)
+                else:
+                    ones[number, ""] = self.roots[number]
+            found = self._canonical[roots] = frozenset(ones.values())
         return found
 
     def apart(self, roots: frozenset[Root]) -> frozenset[Root]:

@@ -116,6 +116,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
     given = run_callees(walker, op, body, seen)
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
     several = memory.apart(owner.roots)
+    shape.spent += (len(owner.roots) + len(seen.refs)) >> 3
     for root in several:
         if not isinstance(root, int) and root[0] == "external":
             continue
@@ -143,7 +144,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
     if walker.narrowed:  # of the one parameter, what its value leads to is of no interest
         whole = memory.deep(Mark(mask, opaque(Mark(0, frozenset(roots)))))
         mask, roots = narrowed(walker, whole), {r for r in roots if isinstance(r, int)} if whole != mask else roots
-    body.registers[op.dst] = Mark(mask, frozenset(roots) | external(walker, seen))
+    body.registers[op.dst] = memory.told(Mark(mask, frozenset(roots) | external(walker, seen)))
 
 
 def _compare(walker: Walker, op: ops.Compare, body: Body, seen: Seen) -> None:
