@@ -23,7 +23,8 @@ masks = st.integers(0, 2**12 - 1)
 keys = st.sampled_from(["a", "b", 0, 1])
 ONE: Final = 1
 MANY: Final = 2
-roots = st.sampled_from([ONE, MANY, ("made", "here")])
+ALL: Final[tuple[Root, ...]] = (ONE, MANY, ("made", "here", 0, ""))
+roots = st.sampled_from(ALL)
 marks = st.builds(Mark, masks, st.frozensets(roots))
 contents = st.builds(Content, masks, marks, masks, st.dictionaries(keys, marks))
 
@@ -223,10 +224,8 @@ def test_all_that_a_value_leads_to_counts(before: list[Any], mark: Mark) -> None
         assert found | made.of(root).whole.mask == found
 
 
-further = st.sampled_from(
-    [ONE, MANY, ("made", "here"), ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"), ("slot", ONE, "a", "one")]
-)
-ROOTS: tuple[Root, ...] = (ONE, MANY, ("made", "here"), ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"))
+further = st.sampled_from([*ALL, ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"), ("slot", ONE, "a", "one")])
+ROOTS: tuple[Root, ...] = (*ALL, ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"))
 leading = st.builds(Mark, masks, st.frozensets(further))
 acts = st.tuples(
     st.sampled_from(["write", "add", "fork", "other", "join"]), further, keys, leading, st.frozensets(further)
@@ -283,6 +282,26 @@ def test_what_was_met_before_is_met_again_where_it_was_written_since(several: li
                     each.write_any([root], mark, mark.mask)
         for known in ROOTS:
             assert same(here.of(known), whole.of(known))
+
+
+@given(writes, writes, keys)
+def test_objects_that_are_merged_hold_what_each_of_them_held(first: list[Any], second: list[Any], key: Any) -> None:
+    """Here, and in a copy that was made before, as soon as that is looked at again."""
+    here = written(first)
+    there = here.copy()
+    for root, name, mark in second:
+        there.write(frozenset((root,)), name, mark)
+    before = [
+        (each, root, each.read([root], key), each.deep(Mark(0, frozenset((root,)))))
+        for each in (here, there)
+        for root in ALL
+    ]
+    here.merge(ALL)
+    there.current()
+    for each, root, known, deep in before:
+        assert each.read([root], key).mask | known.mask == each.read([root], key).mask
+        assert each.deep(Mark(0, frozenset((root,)))) | deep == each.deep(Mark(0, frozenset((root,))))
+        assert not each.is_one([root])
 
 
 def test_nothing_stands_where_nothing_was_written() -> None:
