@@ -302,9 +302,13 @@ KINDS: Final = {"publication": "topic"}
 
 def send(walker: Walker, effect: SentEffect, mask: int) -> None:
     """Record a sink of ROS."""
+    walker.send(sink_of(effect), mask)
+
+
+def sink_of(effect: SentEffect) -> Sink:
+    """Where what is sent leaves the process."""
     node = next((a for a in _addresses(effect.node)), None)
-    sink = Sink(KINDS.get(effect.kind, effect.kind), node, effect.name, effect.place)
-    walker.send(sink, mask)
+    return Sink(KINDS.get(effect.kind, effect.kind), node, effect.name, effect.place)
 
 
 def _addresses(value: Value) -> Iterable[int]:

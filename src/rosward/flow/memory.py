@@ -141,7 +141,9 @@ class Memory(Standing):
                 self._put(root, content.again())
             else:
                 now = self.now(root)
-                slots = {key: content.slots[key] for key in keys if key in content.slots}  # not only on a way that leads nowhere
+                slots = {
+                    key: content.slots[key] for key in keys if key in content.slots
+                }  # not only on a way that leads nowhere
                 self._put(root, now.with_slots({**now.slots, **slots}), keys)
 
     def cover(self, written: Layer) -> None:

@@ -172,7 +172,7 @@ def _parameter(call: NativeCall) -> Mark:
     """The value of a parameter: of which one, the interpretation says with the value, unless that is a list."""
     name = call.key(1)
     mask = call.pc | call.mark(1).mask | parameters.kept(call.walker, call.mark(0).roots, name)
-    if not arising(call.walker, call.seen):
+    if not isinstance(name, str) or not arising(call.walker, call.seen):
         mask |= call.walker.sources.data(Source("parameter", name if isinstance(name, str) else "*"))
     return Mark(mask)
 

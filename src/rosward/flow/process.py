@@ -21,7 +21,7 @@ from rosward.engine.seen import refs_of
 from rosward.flow import blocks, cpp, cpp_calls, straight
 from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
-from rosward.flow.calls import send
+from rosward.flow.calls import send, sink_of
 from rosward.flow.content import Content, TooLongError
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
 from rosward.flow.memory import Memory
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from rosward.engine.watch import Watch
 
 _ROUNDS: Final = 40
-_LEAST: Final = 100_000
+_LEAST: Final = 150_000
 """The walk may take as many steps as the interpretation, but these at least, and no more than twice as many."""
 _EVENTS: Final = {
     "message": ("topic", "subscription"),
@@ -78,6 +78,8 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     except TooLongError:
         complete = False
     complete = complete and not walker.lost
+    if not complete:
+        _every_sink(walker)
     more = 0 if complete else walker.sources.all
     flows = []
     for sink, mask in walker.sinks.masks.items():
@@ -92,6 +94,15 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     walker.close()
     machine.log.findings.update(wrong_marks(machine))
     return ProcessFlows(tuple(flows), complete, callbacks)
+
+
+def _every_sink(walker: Walker) -> None:
+    """What was seen to be sent is told, also where the walk did not come there."""
+    for several in walker.watch.activations.values():
+        for seen in (seen for activation in several for seen in activation.seen.values()):
+            for _, effect in seen.effects:
+                if isinstance(effect, SentEffect):
+                    walker.sinks.add(sink_of(effect), 0, ())
 
 
 def _paths(walker: Walker, sink: Sink, sources: Iterable[Source]) -> dict[Source, tuple[Place, ...]]:

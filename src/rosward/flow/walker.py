@@ -158,7 +158,7 @@ class Walker:
             for activation in dict.fromkeys((*seen.callees, *further)):
                 found.setdefault(activation.code.key, []).append(activation)
             for key, several in found.items():
-                if self.together and several[0].code.language != CPP:
+                if self.together and _is_of_program(several[0]):
                     found[key] = [self._whole(key, several[0])]
                 elif len(several) > _FEW:
                     found[key] = [_merged(several)]
@@ -369,6 +369,11 @@ def _merged(several: list[Activation]) -> Activation:
     return found
 
 
+def _is_of_program(activation: Activation) -> bool:
+    """Whether it is code of the program in Python; what a library does with a name depends on which one that is."""
+    return activation.code.language != CPP and not activation.code.file.startswith("models:")
+
+
 def _size(watch: Watch) -> int:
     """So many operations were seen, each as often as it was told apart."""
     return sum(len(a.seen) for several in watch.activations.values() for a in several)
@@ -378,7 +383,7 @@ _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Cal
 """What may be the first to meet a source."""
 _CALM: Final = 50_000
 """After so much, functions of libraries that only compute are taken as a whole."""
-_LARGE: Final = 6_000
+_LARGE: Final = 12_000
 """In a process with more operations, calls of one body in several contexts are walked through as one."""
 _FEW: Final = 8
 """So many activations of a body are walked through one by one for one operation."""
