@@ -224,11 +224,13 @@ def test_all_that_a_value_leads_to_counts(before: list[Any], mark: Mark) -> None
         assert found | made.of(root).whole.mask == found
 
 
-further = st.sampled_from([*ALL, ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"), ("slot", ONE, "a", "one")])
+further = st.sampled_from(
+    [*ALL, ("external", "lib"), ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"), ("slot", ONE, "a", "one")]
+)
 ROOTS: tuple[Root, ...] = (*ALL, ("of", ONE, "a"), ("of", ("of", ONE, "a"), "b"))
 leading = st.builds(Mark, masks, st.frozensets(further))
 acts = st.tuples(
-    st.sampled_from(["write", "add", "fork", "other", "join"]), further, keys, leading, st.frozensets(further)
+    st.sampled_from(["write", "add", "fork", "other", "join", "merge"]), further, keys, leading, st.frozensets(further)
 )
 
 
@@ -244,7 +246,9 @@ def test_a_look_that_is_kept_finds_what_a_new_one_finds(several: list[Any]) -> N
         elif act == "fork":
             there = here.copy()
         elif act == "other":
-            here, there = there, here
+            here, there = there.current(), here
+        elif act == "merge":
+            here.merge({root, *looked})
         else:
             here.join(there)
         fresh = Memory(here.shape)

@@ -236,6 +236,7 @@ class Standing(Store):
                     repeated += 1
                     continue
                 met.add(number)
+                root = self.numbers.roots[number]
             content = seen[root] = self.of(root)
             if self.known(root) is None:
                 for each in behind(root, self.shape.inner):
