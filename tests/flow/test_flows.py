@@ -133,6 +133,19 @@ class Robot(Node):
         self.value = yield from self.inner(value)
 
     @contextlib.contextmanager
+    def for_a_while(self, value):
+        before, self.value = self.value, value
+        try:
+            yield
+        finally:
+            self.value = before
+
+    def twice(self, value):
+        self.value = value
+        yield 0.0
+        self.value = 0.0
+
+    @contextlib.contextmanager
     def caught(self):
         try:
             yield
@@ -275,6 +288,10 @@ CASES: Final = {
     "the default of a callback": Case(
         "", "self.create_subscription(Float64, '/more', lambda m, v=msg.data: self.say(v, m), 10)", "0.0"
     ),
+    "what stands for as long as a context lasts": Case(
+        "self.value, self.kept = 0.0, 0.0", "with self.for_a_while(msg.data):\n    self.kept = self.value", "self.kept"
+    ),
+    "what a generator writes before it waits": Case("self.value = 0.0", "next(self.twice(msg.data))", "self.value"),
     "an exception that a context swallows": Case(
         "self.value = 0.0",
         "with suppress(ValueError):\n    float(msg.data)\n    self.value = 1.0",

@@ -80,10 +80,7 @@ def leave(walker: Walker, op: ops.Return, body: Body, _seen: Seen) -> bool:
     """Return."""
     body.leaves += 1
     body.result = body.result.joined(body.registers[op.src].under(body.pc))
-    if body.returned is None:
-        body.returned = walker.memory.copy()
-    else:
-        body.returned.join(walker.memory)
+    body.leave(walker.memory)
     return False
 
 

@@ -122,6 +122,13 @@ class Body:
         self.broken: Point | None = None
         self.continued: Point | None = None
 
+    def leave(self, memory: Memory) -> None:
+        """Control may leave here, with what stands there."""
+        if self.returned is None:
+            self.returned = memory.copy()
+        else:
+            self.returned.join(memory)
+
     def enter_loop(self) -> None:
         """A loop begins: nothing has left it, or gone on with its next turn."""
         self.broken = self.continued = None

@@ -289,6 +289,7 @@ def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
     thrown = walker.memory.of(("thrown", key)).any
     if walker.attempts and thrown != NOTHING:
         walker.attempts[-1].raises(thrown, walker.memory.deep(thrown))
+    body.leave(walker.memory)  # others go on from here, before the rest of it runs
     given = walker.memory.of(("sent", key)).any.under(body.pc)
     body.registers[op.dst] = given.joined(value) if op.many else given  # `yield from` gives what the other one returns
 
