@@ -22,6 +22,7 @@ _PROGRAM: Final = """
 import asyncio
 import contextlib
 import multiprocessing
+import time
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
@@ -281,6 +282,18 @@ CASES: Final = {
     ),
     "what a partial function gives to a timer": Case(
         "", "self.create_timer(1.0, partial(self.say, [msg.data][0], None))", "0.0"
+    ),
+    "methods of several lists in partial functions: the first": Case(
+        "self.items, self.others = [1.0], [1.0]",
+        "some = [partial(self.items.clear), partial(self.others.clear)]\nif msg.data > 1.0:\n    some[int(time.time()) % 2]()",
+        "float(len(self.items))",
+        "control",
+    ),
+    "methods of several lists in partial functions: the second": Case(
+        "self.items, self.others = [1.0], [1.0]",
+        "some = [partial(self.items.clear), partial(self.others.clear)]\nif msg.data > 1.0:\n    some[int(time.time()) % 2]()",
+        "float(len(self.others))",
+        "control",
     ),
     "what partial functions in each other give": Case(
         "", "self.create_subscription(Float64, '/more', partial(partial(self.say2, msg.data), 1.0), 10)", "0.0"

@@ -276,7 +276,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
 
 def _apart(several: Iterable[Value]) -> Iterable[Value]:
     """Of the methods of natives, one for each function: what all of them are bound to is known."""
-    return {c.function if isinstance(c, BoundMethod) else c: c for c in several}.values()
+    return {(BoundMethod, c.function) if isinstance(c, BoundMethod) else c: c for c in several}.values()
 
 
 def _spins(function: Value) -> bool:

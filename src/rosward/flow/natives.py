@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native
 from rosward.domain.values import Value
 from rosward.effects.flows import Source
@@ -23,6 +22,7 @@ from rosward.flow.marks import NOTHING, Mark, demoted, of_library
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, owners_of
+from rosward.flow.released import callees
 from rosward.ir.ops import Call
 from rosward.models.ros.interfaces import message_name
 
@@ -63,10 +63,10 @@ def _receiver(walker: Walker, seen: Seen, callee: BoundMethod, function: Mark) -
 
 
 def receivers_of(value: Value, function: Value) -> Iterator[int]:
-    """The objects to which a method is bound."""
-    for option in options(value):
-        if isinstance(option, BoundMethod) and option.function == function:
-            yield from refs_of(option.receiver)
+    """The objects to which a method is bound, also one in a partial function."""
+    for callee in callees((value,)):
+        if isinstance(callee, BoundMethod) and callee.function == function:
+            yield from refs_of(callee.receiver)
 
 
 def _message(call: NativeCall) -> Mark:
