@@ -169,16 +169,22 @@ _TRIED = (
 )
 
 
-def test_a_handler_sees_what_a_recalled_call_wrote(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "main.py").write_text(_TRIED, encoding="utf-8")
-    recalls: list[Call] = []
+def _recalls(monkeypatch: pytest.MonkeyPatch) -> list[Call]:
+    """The calls that are recalled from now on."""
+    found: list[Call] = []
     repeated = recalled.repeated
 
     def noting(machine: Engine, key: str, call: Call) -> Value:
-        recalls.append(call)
+        found.append(call)
         return repeated(machine, key, call)
 
     monkeypatch.setattr(recalled, "repeated", noting)
+    return found
+
+
+def test_a_handler_sees_what_a_recalled_call_wrote(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "main.py").write_text(_TRIED, encoding="utf-8")
+    recalls = _recalls(monkeypatch)
     found = _told(tmp_path)
     assert any(call.told and call.written and call.raised for call in recalls)
     assert all(f'"/{name}"' in found for name in ("left_done", "left/refused"))
@@ -211,16 +217,9 @@ _REPEATS = (
 
 def test_a_call_that_would_do_the_same_is_not_made(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "main.py").write_text(_REPEATS, encoding="utf-8")
-    steps: list[int] = []
-    repeated = recalled.repeated
-
-    def counting(machine: Engine, key: str, call: Call) -> Value:
-        steps.append(call.effort.steps)
-        return repeated(machine, key, call)
-
-    monkeypatch.setattr(recalled, "repeated", counting)
+    recalls = _recalls(monkeypatch)
     found = _told(tmp_path)
-    assert sum(steps) > 100
+    assert sum(call.effort.steps for call in recalls) > 100
     assert '"/a"' in found
 
 

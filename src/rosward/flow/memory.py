@@ -140,10 +140,8 @@ class Memory(Standing):
             if keys is None:
                 self._put(root, content.again())
             else:
-                now = self.now(root)
-                slots = {
-                    key: content.slots[key] for key in keys if key in content.slots
-                }  # not only on a way that leads nowhere
+                now, left = self.now(root), content.slots  # without what was written on ways that lead nowhere
+                slots = {key: left[key] for key in keys if key in left}
                 self._put(root, now.with_slots({**now.slots, **slots}), keys)
 
     def cover(self, written: Layer) -> None:

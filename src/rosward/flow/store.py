@@ -180,9 +180,8 @@ class Store:
         for key in compress(others, map(is_not, map(pages.get, others), others.values())):
             ours = pages.get(key, _BLANK)
             found += [(key << _SHIFT) + n for n in compress(_OFFSETS, map(is_not, ours, others[key]))]
-        if len(pages) > len(others) or not pages.keys() <= others.keys():
-            for key in pages.keys() - others.keys():
-                found += [(key << _SHIFT) + n for n in compress(_OFFSETS, map(is_not, pages[key], _BLANK))]
+        for key in pages.keys() - others.keys():
+            found += [(key << _SHIFT) + n for n in compress(_OFFSETS, map(is_not, pages[key], _BLANK))]
         return found
 
     def _fold(self) -> bool:

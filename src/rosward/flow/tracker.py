@@ -62,14 +62,7 @@ class Tracker:
             wrote = self.wrote.get(root, _NO_KEYS)
             if root not in self._first or wrote is None or key in wrote:
                 return
-        keys = self.reads.get(root, _NO_KEYS)
-        if keys is None:
-            return
-        if keys:
-            assert isinstance(keys, set)
-            keys.add(key)
-        else:
-            self.reads[root] = {key}
+        _add(self.reads, root, (key,))
 
     def meets(self, root: Root, ours: Content, theirs: Content) -> Keys:
         """Two contents of an object are joined: what is read for that, and written."""
@@ -87,20 +80,7 @@ class Tracker:
     def write(self, root: Root, content: Content, keys: Iterable[object] | None) -> None:
         """An object has another content from now on, which differs under these keys, or anywhere."""
         self._own[id(content)] = content
-        self._writes(root, keys)
-
-    def _writes(self, root: Root, keys: Iterable[object] | None) -> None:
-        if keys is None:
-            self.wrote[root] = None
-            return
-        known = self.wrote.get(root, _NO_KEYS)
-        if known is None:
-            return
-        if known:
-            assert isinstance(known, set)
-            known.update(keys)
-        else:
-            self.wrote[root] = set(keys)
+        _add(self.wrote, root, keys)
 
     def send(self, sink: Sink, chain: Chain | None, mask: int) -> None:
         """Something that depends on these sources was sent, through these statements."""
@@ -112,7 +92,7 @@ class Tracker:
         """A body inside was walked through, which is called here; `store` is what stands behind it."""
         self._reads_as(inner, inner._first.__getitem__)
         for root, keys in inner.wrote.items():
-            self._writes(root, keys)
+            _add(self.wrote, root, keys)
             content = store.known(root)
             if content is not None and id(content) in inner._own:
                 self._own[id(content)] = content
@@ -147,3 +127,15 @@ class Tracker:
             self.send(sink, None if chain is None else (at + chain)[-DEEP:], mask)
         self.open = self.open or inner.open
         self.beside = self.beside or inner.beside
+
+
+def _add(known: dict[Root, Keys], root: Root, keys: Iterable[object] | None) -> None:
+    """These slots of an object are among the known ones from now on, or all of it."""
+    if keys is None:
+        known[root] = None
+        return
+    before = known.get(root, _NO_KEYS)
+    if isinstance(before, set):
+        before.update(keys)
+    elif before is not None:
+        known[root] = set(keys)
