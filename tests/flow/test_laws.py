@@ -257,6 +257,15 @@ def test_a_look_that_is_kept_finds_what_a_new_one_finds(several: list[Any]) -> N
             assert here.deep(Mark(0, each)) == fresh.deep(Mark(0, each))
 
 
+def test_a_look_through_a_part_is_forgotten_where_its_owner_is_one_of_several_that_are_merged() -> None:
+    here, part = memory(), frozenset[Root]((("of", ONE, "a"),))
+    here.merge({ONE, MANY})
+    here.write(frozenset((ONE,)), "b", NOTHING)
+    assert here.deep(Mark(0, part)) == 0
+    here.write(frozenset((MANY,)), "a", Mark(1))
+    assert here.deep(Mark(0, part)) == 1
+
+
 steps = st.tuples(st.sampled_from(["write", "add", "grow", "meet", "fork", "go"]), further, keys, leading)
 
 

@@ -236,10 +236,10 @@ class Standing(Store):
                     repeated += 1
                     continue
                 met.add(number)
-                root = self.numbers.roots[number]
+                root = self.numbers.one(root)
             content = seen[root] = self.of(root)
             if self.known(root) is None:
-                for each in behind(root, self.shape.inner):
+                for each in map(self.numbers.one, behind(root, self.shape.inner)):
                     further[each] = self.of(each)
             whole = content.whole
             mask |= whole.mask | content.size

@@ -76,6 +76,11 @@ class Numbers:
         self.led[new] = self.canonical(led | self.led.get(new, frozenset()))
         self.merges.append((new, tuple(number for number in taken if number != new)))
 
+    def one(self, root: Root) -> Root:
+        """What stands for an object: itself, unless it is merged."""
+        number = self.of.get(root)
+        return root if number is None or number not in self.merged else self.roots[number]
+
     def canonical(self, roots: frozenset[Root]) -> frozenset[Root]:
         """The same objects, with one for all that are merged; of things of libraries, one for each name."""
         if not self.merged:
