@@ -176,6 +176,8 @@ class Watch:
         found = frame.seen
         if found is None:
             found = frame.seen = self.of(frame.code, frame.context, frame.cells, frame.module.address)
+            if frame.namespace >= 0:
+                found.names.add(frame.namespace)
             if depth:
                 self._of(machine, depth - 1).note("callees", found)
             elif frame.code.ops:

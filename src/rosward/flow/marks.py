@@ -28,6 +28,10 @@ Root = int | tuple[object, ...]
 """Where content stands: the address of an object, or a name for what has no address (the result of an unknown call, a tuple)."""
 
 
+HANDLED: Final[Root] = ("handled",)
+"""Where the exceptions stand that were handled, whoever asks for them (`sys.exc_info()`)."""
+
+
 def is_slot(root: Root) -> bool:
     """Whether it is a part of an object that has an address of its own (`engine.seen.places_of`)."""
     return not isinstance(root, int) and root[0] == "slot"
@@ -88,6 +92,11 @@ NOTHING: Final = Mark()
 def demoted(mask: int) -> int:
     """What is made under a branch that depends on this: its data has become control."""
     return (mask & _DATA) << 1 | mask & _WEAKER
+
+
+def decided(mask: int) -> int:
+    """Of what stands somewhere: what decides that it was written. Of data only the arrival counts."""
+    return (mask & _DATA) << 2 | mask & _WEAKER
 
 
 def triggering(mask: int) -> int:

@@ -89,6 +89,20 @@ def _store_global(walker: Walker, op: ops.StoreGlobal, body: Body, _seen: Seen) 
         walker.memory.write(frozenset((body.activation.module,)), op.name, body.registers[op.src].under(body.pc))
 
 
+def _load_name(walker: Walker, op: ops.LoadName, body: Body, seen: Seen) -> None:
+    """A name in the body of a class: one of the class, of a function around it, or of the module."""
+    memory, activation = walker.memory, body.activation
+    found = memory.read(activation.names, op.name)
+    if op.cell != ops.NO_REGISTER:
+        found = found.joined(memory.read(activation.cells[op.cell : op.cell + 1], "value"))
+    found = found.joined(memory.read((activation.module,), op.name))
+    body.registers[op.dst] = Mark(found.mask | body.pc, leads(seen, found) | external(walker, seen))
+
+
+def _store_name(walker: Walker, op: ops.StoreName, body: Body, _seen: Seen) -> None:
+    walker.memory.write(frozenset(body.activation.names), op.name, body.registers[op.src].under(body.pc))
+
+
 def external(_walker: Walker, seen: Seen) -> frozenset[Root]:
     """Something of a library, by its dotted name."""
     return frozenset(map(of_library, seen.externals))
@@ -340,6 +354,8 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.StoreCell: _store_cell,
     ops.LoadGlobal: _load_global,
     ops.StoreGlobal: _store_global,
+    ops.LoadName: _load_name,
+    ops.StoreName: _store_name,
     ops.LoadAttr: _load_attr,
     ops.StoreAttr: _store_attr,
     ops.Compare: _compare,

@@ -74,7 +74,8 @@ def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None
 def _enter_turn(
     machine: Engine, op: ops.ForEach, frame: Frame, context: int, number: int, source: Value, ahead: Items
 ) -> None:
-    """A turn begins: what it makes is told apart from what others make."""
+    """A turn begins, for which the loop asks: what it makes is told apart from what others make."""
+    frame.op, frame.sequence = op, 0
     frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
     if frame.yielded is not None:
         rest = UNBOUND if ahead.rest is None else ahead.rest
