@@ -41,7 +41,9 @@ def test_those_of_a_component_are_numbered_with_those_of_its_process() -> None:
     """Its own come first."""
     both = started(5, 3)
     found = renumbered(
-        Configuration(words=both.words, files=both.files, component=(Const("--params-file"), Const("/tmp/launch_params_3")))
+        Configuration(
+            words=both.words, files=both.files, component=(Const("--params-file"), Const("/tmp/launch_params_3"))
+        )
     )
     assert found.component == (Const("--params-file"), Const("/tmp/launch_params_1"))
     assert found.words == started(2, 1).words
