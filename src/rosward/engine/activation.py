@@ -54,7 +54,7 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
             note(machine, level)
         return value
     caller = machine.frames[-1] if machine.frames else None
-    context = context_of(machine, code, caller)
+    context = context_of(machine, code, caller, registers)
     place = recalled.place_of(machine, code.key, (function, given), context)
     found = None if place is None else recalled.known(machine, place)
     if found is not None:
