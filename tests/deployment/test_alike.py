@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rosward.analysis import outcome
-from rosward.analysis.process import Run, how_started
+from rosward.analysis.process import Run, how_started, run
 from rosward.deployment.alike import renumbered
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.domain.choice import join
@@ -115,11 +115,10 @@ def test_the_same_start_in_two_launch_files_is_run_once(
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text.replace("TOPIC", topic), encoding="utf-8")
     runs: list[str] = []
-    whole = outcome.run
 
     def counted(*args: object) -> Run:
         runs.append("")
-        return whole(*args)  # type: ignore[arg-type]  # what it is given is passed on
+        return run(*args)  # type: ignore[arg-type]  # what it is given is passed on
 
     monkeypatch.setattr(outcome, "run", counted)
     request = Request(launches=(LaunchRequest("two.launch.xml", "demo"), LaunchRequest("one.launch.xml", "demo")))

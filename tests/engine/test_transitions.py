@@ -13,6 +13,7 @@ from rosward.engine import activation, schedule
 from rosward.engine.budget import Budget
 from rosward.engine.machine import Engine
 from rosward.engine.schedule_book import Schedule
+from rosward.engine.summarised import summarised
 
 SOURCE = """
 #include <chrono>
@@ -94,7 +95,6 @@ def test_a_transition_makes_the_same_whoever_asks_for_it(tmp_path: Path, monkeyp
 def test_a_node_that_configures_another_one_is_no_recursion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Both go through `configure` of the library; where precision is given up, it has no summary for the two."""
     asked: set[str] = set()
-    summarised = activation.summarised
 
     def noted(machine: Engine, function: Function, registers: list[Value]) -> Value:
         asked.add(function.code.name)
