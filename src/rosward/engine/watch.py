@@ -10,14 +10,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from operator import is_
 from types import FunctionType
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
-from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
 from rosward.engine.noted import CELLED, finding
+from rosward.engine.performed import handed, is_as_written, performed, standing
 from rosward.engine.registered import Registered, period_of
 from rosward.engine.seen import (
     ALIVE,
@@ -27,7 +29,6 @@ from rosward.engine.seen import (
     Bound,
     Called,
     Given,
-    Handed,
     Seen,
     places_of,
     refs_of,
@@ -92,13 +93,20 @@ class Watch:
             return replace(
                 language, table={cls: self._noting_cpp(cls, handler) for cls, handler in language.table.items()}
             )
-        call_function = language.call_function
+        call_function, call = language.call_function, language.call
 
         def noting(machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
             self._call(machine, function, args, keywords)
             return call_function(machine, function, args, keywords)
 
-        return replace(language, table=table, call_function=noting)
+        def performing(machine: Engine, function: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+            frame = machine.frames[-1] if machine.frames else None
+            if frame is not None and not is_as_written(frame, function):
+                for native in performed(frame, self._read_by(frame.op), function, args, keywords):
+                    self.at(machine).perform(native)
+            return call(machine, function, args, keywords)
+
+        return replace(language, table=table, call_function=noting, call=performing)
 
     def at(self, machine: Engine) -> Seen:
         """That of the operation that is running; what runs under no frame is of no activation."""
@@ -188,19 +196,19 @@ class Watch:
     def _call(self, machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> None:
         if not machine.frames:
             return
-        frame = machine.frames[-1]
-        registers = frame.registers
-        standing: dict[int, tuple[int, ...]] = {}  # by the identity of the value
-        for register in self._read_by(frame.op) if registers else ():
-            value = id(registers[register])
-            standing[value] = (*standing[value], register) if value in standing else (register,)
+        frame, seen = machine.frames[-1], self.at(machine)
+        written = None  # with what, where the operation alone says where that stands
+        if not keywords and frame.op.__class__ is ops.Call and frame.op.simple is not None:
+            written = (function.code, function.cells, *args)
+            before = seen.written
+            if before is not None and len(before) == len(written) and all(map(is_, before, written)):
+                return
+        seen.written = written
         values = (*args, *keywords.values()) if keywords else args
-        where = tuple([standing.get(id(value), ()) for value in values])
-        what = tuple(map(_refs_in, values))
-        key = (function.code.key, function.cells, where, what, *keywords)
-        seen = self.at(machine)
+        where = standing(frame.registers, self._read_by(frame.op), values)
+        key = (function.code.key, function.cells, where, *keywords)
         if key not in seen.calls:
-            given = [Handed(frozenset(r), refs) for r, refs in zip(where, what, strict=True)]
+            given = handed(where)
             named = tuple(zip(keywords, given[len(args) :], strict=True))
             seen.note("calls", key, Called(function, tuple(given[: len(args)]), named))
 
@@ -362,17 +370,6 @@ def _standing(machine: Engine, value: Value) -> Value:
         return value
     cell = machine.state.heap.get(value.base.address)
     return value if cell is None else cell.attrs.get("value", value)
-
-
-_NO_REFS: Final = frozenset[int]()
-_LEADING_NOWHERE: Final = SILENT | {Const, Unknown}
-
-
-def _refs_in(value: Value) -> frozenset[int]:
-    """The objects that a value is or holds."""
-    if value.__class__ is Ref:
-        return frozenset((value.address,))
-    return _NO_REFS if value.__class__ in _LEADING_NOWHERE else frozenset(refs_of(value))
 
 
 def _width(signature: Signature) -> int:
