@@ -27,6 +27,7 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.standalone import Gathered
 from rosward.analysis.systems import Outset, System, systems_of
 from rosward.analysis.unreached import unreached_of
+from rosward.deployment.alike import renumbered
 from rosward.deployment.declared.effects import declared
 from rosward.deployment.declared.shapes import PluginNode
 from rosward.deployment.launched import Launched
@@ -278,6 +279,7 @@ class _Tasks:
         return _Started(program, None, log, tuple(map(self.of, loaded)))
 
     def _task(self, entry: Entry, configuration: Configuration) -> Task:
+        configuration = renumbered(configuration)
         key = (entry, *how_started(configuration))
         return self._tasks.setdefault(key, Task(entry, configuration))
 

@@ -20,12 +20,14 @@ from rosward.domain.heap import Obj, alike
 
 Page = list[Obj | None]
 Ground = Callable[[int], Obj | None]
+CoveredPages = dict[tuple[int, int], tuple[Page, Page, int]]
 
 SHIFT: Final = 6
 MASK: Final = (1 << SHIFT) - 1
 _OFFSETS: Final = range(MASK + 1)
 _BLANK: Final[tuple[None, ...]] = (None,) * (MASK + 1)
 _MOST_COVERED: Final = 30_000
+_MOST_PAGES: Final = 4_000
 
 
 @final
@@ -35,12 +37,14 @@ class Covered:
     Joins and widenings have pairs of their own: a widening also leaves out what an unknown stands for.
     """
 
-    __slots__ = ("_joined", "_widened")
+    __slots__ = ("_joined", "_joined_pages", "_widened", "_widened_pages")
 
     def __init__(self) -> None:
         # By id(): the objects are kept, so that no other takes the place of one.
         self._joined: dict[tuple[int, int], tuple[Obj, Obj]] = {}
         self._widened: dict[tuple[int, int], tuple[Obj, Obj]] = {}
+        self._joined_pages: CoveredPages = {}
+        self._widened_pages: CoveredPages = {}
 
     def pairs(self, *, widens: bool) -> dict[tuple[int, int], tuple[Obj, Obj]]:
         """Those that a join or a widening found, to ask and to add to; forgotten where they become too many."""
@@ -48,6 +52,13 @@ class Covered:
         if len(pairs) > _MOST_COVERED:
             pairs.clear()
         return pairs
+
+    def pages(self, *, widens: bool) -> CoveredPages:
+        """The same for whole pages, which nobody writes to any more, with how many of their objects differ."""
+        pages = self._widened_pages if widens else self._joined_pages
+        if len(pages) > _MOST_PAGES:
+            pages.clear()
+        return pages
 
 
 @final
@@ -153,7 +164,7 @@ class Heap:
         there is not looked at.
         """
         changed, compared = False, 0
-        covered = self._covered.pairs(widens=widens)
+        covered, whole = self._covered.pairs(widens=widens), self._covered.pages(widens=widens)
         on_ground = self._changed | other._changed if self._changed or other._changed else self._changed
         pages, others = self.pages, other.pages
         before = {} if known is None or on_ground else known.pages
@@ -172,6 +183,11 @@ class Heap:
                 continue
             assert ours is not None
             assert theirs is not None
+            again = whole.get((id(ours), id(theirs)))
+            if again is not None and number not in before:
+                compared += again[2]
+                continue
+            first = compared
             merged, as_here, as_there = ours, True, number not in on_ground
             seen = before.get(number, _BLANK)
             for offset in compress(_OFFSETS, map(is_not, ours, theirs)):
@@ -192,6 +208,10 @@ class Heap:
                         as_here, merged = False, ours.copy()
                     merged[offset] = both
             if as_here:
+                if number not in on_ground and number not in before:  # else they are not all that is looked at
+                    self._own.discard(number)
+                    other._own.discard(number)
+                    whole[id(ours), id(theirs)] = ours, theirs, compared - first
                 continue
             changed = True
             if as_there:

@@ -25,7 +25,7 @@ _OF_LOOPS: Final = 50
 def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """Run a function body on bound registers; the value returned."""
     code = function.code
-    depth = [frame.code for frame in machine.frames].count(code)
+    depth = _depth(machine, function, registers)
     limit = machine.budget.recursion
     if machine.precision.coarse:
         recursive = code.key in machine.summaries.recursive
@@ -54,7 +54,7 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
             note(machine, level)
         return value
     caller = machine.frames[-1] if machine.frames else None
-    context = context_of(machine, code, caller)
+    context = context_of(machine, code, caller, registers)
     place = recalled.place_of(machine, code.key, (function, given), context)
     found = None if place is None else recalled.known(machine, place)
     if found is not None:
@@ -89,6 +89,20 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
         if machine.watch is not None:
             machine.watch.remember(key, code, context)
     return value
+
+
+def _depth(machine: Engine, function: Function, registers: list[Value]) -> int:
+    """How many calls of a function are running. A method of a library that comes back to another object is no recursion by itself:
+
+    void on_configure() override {costmap->configure();}      each of them a node, whose method calls what the program says
+
+    Where the program does go round in circles, its own functions are counted.
+    """
+    code = function.code
+    running = [frame for frame in machine.frames if frame.code is code]
+    if running and registers and declared.is_model(function):
+        running = [frame for frame in running if frame.registers[0] == registers[0]]
+    return len(running)
 
 
 def _is_large(machine: Engine, function: Function) -> bool:

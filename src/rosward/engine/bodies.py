@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join
 from rosward.domain.state import State, join_states
-from rosward.domain.values import NONE, UNBOUND, Function, Value
+from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
 from rosward.engine import declared
 from rosward.engine.frame import Frame
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from rosward.engine.machine import Engine
     from rosward.ir.program import Code
 
@@ -53,12 +55,15 @@ def left_by(machine: Engine, frame: Frame, *, alive: bool) -> tuple[Value, State
     return None if exits.returned is None else (exits.value, exits.returned.state)
 
 
-def context_of(machine: Engine, code: Code, caller: Frame | None) -> int:
+def context_of(machine: Engine, code: Code, caller: Frame | None, registers: Sequence[Value] = ()) -> int:
     """The context of a call: the chain of calls that led to it. What one operation calls (`map`, `sum`) is told apart by its turn.
 
     Where precision is given up, functions are contexts, but for those of libraries and those that create something: what these do for one
-    caller is no other's business.
+    caller is no other's business. A method of a library may say that it is one for each object.
     """
+    if code.signature is not None and code.signature.apart:
+        this = registers[0] if registers else None
+        return machine.context("of an object", code.key, this if this.__class__ is Ref else None)
     if machine.precision.coarse and not code.is_model and code.key not in machine.trace.creating:
         return machine.context("coarse", code.key)
     if caller is None:

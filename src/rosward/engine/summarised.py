@@ -50,11 +50,12 @@ def summarised(machine: Engine, function: Function, registers: list[Value]) -> V
     else:
         known = not summary.provisional or not machine.summaries.running or summary.turn == machine.summaries.turns
         join_call = _join_whole if summary.whole else _take_in
-        if not join_call(machine, summary, registers, widening) and known:  # a call like those before
+        changed = join_call(machine, summary, registers, widening)
+        if known and not changed:  # a call like those before
             machine.summaries.finished[key] = summary
             machine.summaries.provisional += summary.provisional and bool(machine.summaries.running)
             return _of_summary(machine, summary, called)
-        if not summary.whole:
+        if changed and not summary.whole:  # else what it gave is joined with what it gives, and comes to rest
             summary.value, summary.after, summary.catcher = UNBOUND, None, None
     _solve(machine, summary, function, key, widening)
     if summary.catcher is not None:

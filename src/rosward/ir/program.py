@@ -107,7 +107,8 @@ class Signature(NamedTuple):
     `Default`, and converts each parameter by value to its type.
 
     `reference`: it returns one. `using`: the namespaces of its `using namespace`. `owned`: which of its free cells a lambda has to itself, so
-    that a copy of it has others. `constant`: a member function of constant objects, too.
+    that a copy of it has others. `constant`: a member function of constant objects, too. `apart`: wherever it is called, it is in one
+    context for each object.
     """
 
     parameters: tuple[ParameterSymbol, ...] = ()
@@ -117,6 +118,7 @@ class Signature(NamedTuple):
     using: tuple[Scope, ...] = ()
     owned: tuple[int, ...] = ()
     constant: bool = False
+    apart: bool = False
 
     def types(self, registers: Sequence[_T]) -> tuple[_T, ...]:
         """What a call has given for the parameters of the template."""

@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 
 MAX_WAYS: Final = 8
 MAX_FILES: Final = 2_000
+STEM: Final = "/tmp/launch_params_"
+"""How the names of the files begin that launch writes."""
 _TOKEN: Final = "rosward_hole_"
 
 
@@ -66,7 +68,7 @@ class GeneratedFiles:
 
     def write(self, content: Content) -> Value:
         """A new file; its path."""
-        path = f"/tmp/launch_params_{len(self._made) + 1}"
+        path = f"{STEM}{len(self._made) + 1}"
         if len(self._made) < MAX_FILES:
             self._made[path] = content
         return Const(path)

@@ -64,6 +64,10 @@ class Home(Protocol):
         """Whether what is written with a scope before its name is a member of a class, not of a namespace."""
 
 
+_APART: Final = "apart"
+"""The mark of a method whose calls share a context."""
+
+
 @final
 class CppSymbol:
     """See `ir.symbols.Symbol`. `owner` is the class that it is declared in, `own` the list of parameters of the template that it is itself,
@@ -276,7 +280,8 @@ class CppSymbol:
     @cached_property
     def signature(self) -> Signature:
         """How the registers of a function are filled."""
-        return Signature(self.parameters, self.leading, self.template or (), self.reference, constant=self.constant)
+        given = self.parameters, self.leading, self.template or (), self.reference
+        return Signature(*given, constant=self.constant, apart=bool(self.leading) and _APART in self.marks)
 
     @cached_property
     def leading(self) -> int:

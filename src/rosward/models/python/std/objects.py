@@ -7,11 +7,13 @@ with opened('x') as f: …           the generator function runs at the `with`; 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import join, lift, options
 from rosward.domain.compound import BoundMethod, External, Native, Tuple
+from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
@@ -22,6 +24,7 @@ from rosward.models.ros.message_fields import made_all
 
 _COPIED: Final = frozenset({"list", "set", "dict", "instance"})
 _MAX_DEPTH: Final = 40
+_COPY_OF: Final = "copy of"
 
 
 def _shallow(call: NativeCall) -> Value:
@@ -59,7 +62,7 @@ def _reduced(call: NativeCall, value: Ref, copied: Callable[[Value], Value]) -> 
         made = machine.call(given.items[0], tuple(copied(a) for a in arguments.known))
         state = given.items[_KEPT] if len(given.items) > _KEPT else NONE
     else:
-        made = machine.allocate(machine.obj(value).replace(many=False, attrs={}), value.address)
+        made = _placed(call, machine.obj(value).replace(many=False, attrs={}), value.address)
         state = machine.call(getter, (value,)) if getter is not None else machine.load_attr(value, "__dict__")
     if state == NONE or made is UNBOUND or state is UNBOUND:
         return made
@@ -81,11 +84,32 @@ def _own_hook(call: NativeCall, value: Value, name: str) -> Value | None:
     return None
 
 
-def _again(call: NativeCall, ref: Ref) -> Ref:
-    made = call.machine.allocate(call.machine.obj(ref).replace(many=False), ref.address)
+_MOST_APART: Final = 3
+"""So many copies of one object, in the hands of one call that copies them once more, are told apart."""
+
+
+def _placed(call: NativeCall, obj: Obj, source: int, others: Counter[object] | None = None) -> Ref:
+    """A copy of the object at an address. A copy of a copy stands where one of the first object would stand:
+
+    self.history.append(deepcopy(self.state)); self.state = deepcopy(self.history[-1])      else each round would make further ones, for ever
+
+    `others`: of what the same call has made copies, and how many.
+    """
+    first: dict[object, object] = call.machine.log.remembered
+    origin = first.get((_COPY_OF, source), source)
+    before = 0 if others is None else others[origin]
+    ref = call.machine.allocate(obj, (origin, min(before, _MOST_APART)) if before else origin)
+    if others is not None:
+        others[origin] += 1
+    first.setdefault((_COPY_OF, ref.address), origin)
+    return ref
+
+
+def _again(call: NativeCall, ref: Ref, others: Counter[object] | None = None) -> Ref:
+    made = _placed(call, call.machine.obj(ref).replace(many=False), ref.address, others)
     held = contents(call.machine, ref)
     if isinstance(held, Ref):
-        copied = call.machine.allocate(call.machine.obj(held).replace(many=False), ("contents", ref.address))
+        copied = call.machine.allocate(call.machine.obj(held).replace(many=False), ("contents", made.address))
         call.machine.update(made, call.machine.obj(made).with_attr(CONTENTS, copied))
     return made
 
@@ -102,6 +126,7 @@ def _deep(call: NativeCall) -> Value:
     """copy.deepcopy: what is reached more than once is copied once."""
     machine = call.machine
     made: dict[int, Ref] = {}
+    others: Counter[object] = Counter()
 
     def copied(value: Value, depth: int) -> Value:
         return lift(lambda option: one(option, depth), value)
@@ -122,7 +147,7 @@ def _deep(call: NativeCall) -> Value:
         reduced = _reduced(call, value, lambda part: copied(part, depth + 1)) if obj.kind == "instance" else None
         if reduced is not None:
             return reduced
-        ref = made[value.address] = _again(call, value)
+        ref = made[value.address] = _again(call, value, others)
         machine.update(
             ref,
             machine.obj(ref).replace(

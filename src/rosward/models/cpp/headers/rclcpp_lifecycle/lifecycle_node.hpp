@@ -105,14 +105,20 @@ public:
   {
     _create(node_name, namespace_, options, true, services);
     if (services) {
-      rosward::schedule([this](State state) {on_configure(state);}, "transition", State(1, "unconfigured"));
-      rosward::schedule([this](State state) {on_cleanup(state);}, "transition", State(2, "inactive"));
-      rosward::schedule([this](State state) {on_shutdown(state);}, "transition", _some_state());
-      rosward::schedule([this](State state) {on_activate(state);}, "transition", State(2, "inactive"));
-      rosward::schedule([this](State state) {on_deactivate(state);}, "transition", State(3, "active"));
+      rosward::schedule([this]() {_configure();}, "transition");
+      rosward::schedule([this]() {_cleanup();}, "transition");
+      rosward::schedule([this]() {_shutdown();}, "transition");
+      rosward::schedule([this]() {_activate();}, "transition");
+      rosward::schedule([this]() {_deactivate();}, "transition");
     }
     rosward::schedule([this](State state) {on_error(state);}, "transition", _some_state());
   }
+  // A transition is the same, whoever asks for it: what it makes is told apart by the node alone.
+  [[rosward::apart]] void _configure() {on_configure(State(1, "unconfigured"));}
+  [[rosward::apart]] void _cleanup() {on_cleanup(State(2, "inactive"));}
+  [[rosward::apart]] void _shutdown() {on_shutdown(_some_state());}
+  [[rosward::apart]] void _activate() {on_activate(State(2, "inactive"));}
+  [[rosward::apart]] void _deactivate() {on_deactivate(State(3, "active"));}
   State _some_state() const
   {
     return State(
@@ -146,31 +152,31 @@ public:
   template<typename... ArgsT>
   State configure(const ArgsT & ... args)
   {
-    on_configure(State(1, "unconfigured"));
+    _configure();
     return _some_state();
   }
   template<typename... ArgsT>
   State cleanup(const ArgsT & ... args)
   {
-    on_cleanup(State(2, "inactive"));
+    _cleanup();
     return _some_state();
   }
   template<typename... ArgsT>
   State activate(const ArgsT & ... args)
   {
-    on_activate(State(2, "inactive"));
+    _activate();
     return _some_state();
   }
   template<typename... ArgsT>
   State deactivate(const ArgsT & ... args)
   {
-    on_deactivate(State(3, "active"));
+    _deactivate();
     return _some_state();
   }
   template<typename... ArgsT>
   State shutdown(const ArgsT & ... args)
   {
-    on_shutdown(_some_state());
+    _shutdown();
     return _some_state();
   }
 
