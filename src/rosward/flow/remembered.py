@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from rosward.flow.content import Content, Layer
     from rosward.flow.marks import Mark, Root
     from rosward.flow.tracker import Keys, Tracker
@@ -41,11 +43,12 @@ class Remembered(NamedTuple):
 
 @final
 class Looked:
-    """What a look through all that some roots lead to has found, and who knows already that it was read."""
+    """What a look through all that some roots lead to has found: these `objects`; and who knows already what it read for that."""
 
-    __slots__ = ("mask", "reads", "tracker")
+    __slots__ = ("mask", "objects", "reads", "tracker")
 
-    def __init__(self, mask: int, reads: Layer, tracker: Tracker | None) -> None:
+    def __init__(self, mask: int, reads: Layer, objects: Collection[Root], tracker: Tracker | None) -> None:
         self.mask = mask
+        self.objects = objects
         self.reads = reads
         self.tracker = tracker

@@ -7,14 +7,14 @@ another object (`msg.header`) has the base of that attribute until it is written
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.flow.content import EMPTY, Content, Layer, TooLongError
 from rosward.flow.marks import NOTHING, Mark, Root, behind, is_slot, part_of, slot_of
 from rosward.flow.remembered import Looked
 from rosward.flow.shape import Shape
-from rosward.flow.store import MELTED, Store
+from rosward.flow.store import MASK, MELTED, SHIFT, Store
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -142,10 +142,17 @@ class Standing(Store):
         self.shape.spent += len(mark.roots) >> 3
         return Mark(mark.mask, self.numbers.canonical(mark.roots))
 
-    def base(self, roots: Iterable[Root]) -> int:
+    def base(self, roots: frozenset[Root]) -> int:
         """What stands in objects that came from outside, as far as one look tells."""
         found = 0
-        for root in self.numbers.apart(frozenset(roots)):
+        based = self.numbers.based
+        if not self.numbers.merged:
+            for root in roots & based if len(roots) > 1 else roots:
+                content = self.known(root)
+                if content is not None:
+                    found |= content.base
+            return found
+        for root in self.numbers.apart(roots):
             content = self.known(root)
             if content is not None:
                 found |= content.base
@@ -183,6 +190,10 @@ class Standing(Store):
             found = self._of_leaf(*roots)
             if found is not None:
                 return mark.mask | found
+        return mark.mask | self._through(roots).mask
+
+    def _through(self, roots: frozenset[Root]) -> Looked:
+        """What a look through all that these lead to has found, perhaps before."""
         tracker = self.shape.tracker
         looked = self._looked.get(roots)
         if looked is None:
@@ -191,11 +202,10 @@ class Standing(Store):
                 self._looked = {}
             self._looked[roots] = looked
         elif tracker is not None and looked.tracker is not tracker:
-            for root, content in looked.reads.items():
-                tracker.read(root, content)
+            tracker.read_each(looked.reads)
             looked.tracker = tracker
             self.shape.spent += 1
-        return mark.mask | looked.mask
+        return looked
 
     def _of_leaf(self, root: Root) -> int | None:
         """What stands in an object that leads nowhere; None where it is none."""
@@ -220,52 +230,70 @@ class Standing(Store):
         mask = 0
         seen: Layer = {}
         further: Layer = {}
-        canonical, of, merged = self.numbers.canonical, self._of, self.numbers.merged
+        numbers, pages, inner = self.numbers, self._pages, self.shape.inner
+        canonical, of, merged, nodes = numbers.canonical, self._of, numbers.merged, self.shape.nodes
         work = set(canonical(roots))
         known = {id(roots)}
         met: set[int] = set()  # what stands for several
         repeated = 0
-        nodes = self.shape.nodes
         while work:
             if len(seen) > _MOST:
                 raise TooLongError
             root = work.pop()
             number = of.get(root)
-            if number in merged:
-                if number in met:
-                    repeated += 1
-                    continue
-                met.add(number)
-                root = self.numbers.one(root)
-            content = seen[root] = self.of(root)
-            if self.known(root) is None:
-                for each in map(self.numbers.one, behind(root, self.shape.inner)):
+            content: Content | None = None
+            if number is not None:
+                if number in merged:
+                    if number in met:
+                        repeated += 1
+                        continue
+                    met.add(number)
+                    root = numbers.roots[number]
+                page = pages.get(number >> SHIFT)
+                content = None if page is None else page[number & MASK]
+            if content is None:
+                for each in map(numbers.one, behind(root, inner)):
                     further[each] = self.of(each)
+                content = self.now(root)
+            seen[root] = content
             whole = content.whole
             mask |= whole.mask | content.size
             if whole.roots and id(whole.roots) not in known:  # many objects share what they lead to
                 known.add(id(whole.roots))
                 work |= canonical(whole.roots) - seen.keys() - nodes
-            work.update(r for r in self._holds(root) if r not in seen)
+            holds = self._holds(root)
+            if holds:
+                work.update(r for r in holds if r not in seen)
         self.shape.spent += len(seen) + (repeated >> 3)
+        tracker = self.shape.tracker
+        if tracker is not None:
+            tracker.read_each(seen)
+        looked = Looked(mask, {**further, **seen} if further else seen, seen.keys(), tracker)
         if len(seen) > self.shape.few * _DEPTH:
             self.merge(seen)
-        return Looked(mask, {**further, **seen}, self.shape.tracker)
+        return looked
 
-    def reached(self, mark: Mark) -> Iterator[Root]:
+    def reached(self, mark: Mark) -> Collection[Root]:
         """The objects that a value leads to, but for nodes that it does not lead to at once; of those that are merged, one."""
-        canonical, of, merged = self.numbers.canonical, self._of, self.numbers.merged
-        seen: set[object] = set()
-        work = list(mark.roots)
+        roots = mark.roots
+        if not self.numbers.merged:
+            return self._through(roots).objects if roots else ()
+        canonical, of, merged, nodes = self.numbers.canonical, self._of, self.numbers.merged, self.shape.nodes
+        found: dict[object, Root] = {}
+        known = {id(roots)}
+        work = list(roots)
         while work:
             root = work.pop()
             number = of.get(root)
             here = ("all", number) if number in merged else root
-            if here in seen:
+            if here in found:
                 continue
-            if len(seen) > _MOST:
+            if len(found) > _MOST:
                 raise TooLongError
-            seen.add(here)
-            yield root
-            work += canonical(self.of(root).whole.roots) - self.shape.nodes
+            found[here] = root
+            further = self.of(root).whole.roots
+            if id(further) not in known:
+                known.add(id(further))
+                work += canonical(further) - nodes
             work += self._holds(root)
+        return found.values()
