@@ -14,7 +14,7 @@ from typing import final
 
 from rosward.flow.content import EMPTY, Content, Layer, both
 from rosward.flow.marks import Mark, Root, is_slot, part_of, slot_of
-from rosward.flow.remembered import Written
+from rosward.flow.remembered import Looked, Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
 from rosward.flow.tracker import Keys, Tracker
@@ -50,23 +50,30 @@ class Memory(Standing):
         if number in self.numbers.merged:
             root, keys = self.numbers.roots[number], None
             content = both(self.of(root), self.numbers.melted(content))
-        if self._looked:
-            self._forget_looks(root, content)
         self._set(number, content)
         if self._met >= 0:
             self._since.add(number)
         tracker = self.shape.tracker
         if tracker is not None:
             tracker.write(root, content, keys)
+        if self._looked:
+            self._renew_looks(root, content)
         if self.log is not None:
             before = self.log.get(root)
             self.log[root] = content if before is None else both(before, content)
 
-    def _forget_looks(self, root: Root, content: Content) -> None:
-        """What was found by looking through this object is out of date, unless the same stands in it."""
-        stale = [roots for roots, look in self._looked.items() if look.reads.get(root, content) != content]
-        if stale:
-            self._looked = {roots: look for roots, look in self._looked.items() if roots not in stale}
+    def _renew_looks(self, root: Root, content: Content) -> None:
+        """What was found by looking through this object is out of date, unless the same stands in it, or more."""
+        changed: dict[frozenset[Root], Looked | None] = {}
+        for roots, looked in self._looked.items():
+            if root in looked.further:
+                if looked.further[root] != content:
+                    changed[roots] = None
+            elif root in looked.objects and looked.objects[root] != content:
+                changed[roots] = self._grown(looked, root, content)
+        if changed:
+            new = {**self._looked, **changed}
+            self._looked = {roots: looked for roots, looked in new.items() if looked is not None}
 
     def join(self, other: Memory) -> bool:
         """Cover another one, too; whether that changed anything."""

@@ -12,8 +12,6 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
-
     from rosward.flow.content import Content, Layer
     from rosward.flow.marks import Mark, Root
     from rosward.flow.tracker import Keys, Tracker
@@ -43,12 +41,15 @@ class Remembered(NamedTuple):
 
 @final
 class Looked:
-    """What a look through all that some roots lead to has found: these `objects`; and who knows already what it read for that."""
+    """What a look through all that some roots lead to has found: the objects, and `further` those that say what stands in them.
 
-    __slots__ = ("mask", "objects", "reads", "tracker")
+    `tracker`: who knows already that all of them were read.
+    """
 
-    def __init__(self, mask: int, reads: Layer, objects: Collection[Root], tracker: Tracker | None) -> None:
+    __slots__ = ("further", "mask", "objects", "tracker")
+
+    def __init__(self, mask: int, objects: Layer, further: Layer, tracker: Tracker | None) -> None:
         self.mask = mask
         self.objects = objects
-        self.reads = reads
+        self.further = further
         self.tracker = tracker

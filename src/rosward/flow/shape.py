@@ -12,7 +12,7 @@ from rosward.domain.values import NONE, Class, Ref
 from rosward.effects.flows import Source
 from rosward.engine.seen import Activation, refs_of
 from rosward.flow.marks import Root
-from rosward.flow.said import marks_of
+from rosward.flow.said import marks_of, told_by
 from rosward.flow.store import Numbers
 from rosward.flow.tracker import Tracker
 from rosward.flow.trail import Trail
@@ -56,7 +56,7 @@ class Shape:
 
     def __init__(self, machine: Interpreter) -> None:
         self._machine = machine
-        self.numbers = Numbers()
+        self.numbers = Numbers(told_by(machine))
         self.spent = 0  # operations and objects that were looked at
         self.inner: dict[int, tuple[int, str]] = machine.inner_objects()
         self.many = {address for address, obj in machine.state.heap.items() if obj.many}
@@ -75,6 +75,8 @@ class Shape:
             self._parts.setdefault(owner, []).append(address)
         self._inside = {owner: address for address, owner in self.inner.items()}
         self._named: dict[str, list[tuple[int, str]]] | None = None
+        import os
+        self.apart_only = machine.linked is None or "INTS" in os.environ
         self._said = marks_of(machine)
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
@@ -86,7 +88,7 @@ class Shape:
     @property
     def few(self) -> int:
         """So many objects that one value may be are told apart; the more was walked through, the fewer. In C++ parts have a place in the whole."""
-        if self._machine.linked is not None:
+        if not self.apart_only:
             return _ALL
         return next(few for spent, few in _FEW if self.spent < spent)
 

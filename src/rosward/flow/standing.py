@@ -21,11 +21,14 @@ if TYPE_CHECKING:
 
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
+_SHORT: Final = 8
 _MOST_LOOKS: Final = 64
 _DEPTH: Final = 8
 """Where a value leads to so many times more objects than it may be itself, these are one from then on."""
 _APART: Final = frozenset(("made", "tuple", "of", "arrived", "external", MELTED))
 """What without an address may be one with others."""
+_OF_LIBRARIES: Final = frozenset(("made", "of", "arrived", "external", MELTED))
+"""In C++ none but these."""
 _KINDS: Final = frozenset(("instance", "list", "dict", "set"))
 """And which objects with one."""
 
@@ -78,8 +81,8 @@ class Standing(Store):
 
     def _may_merge(self, root: Root) -> bool:
         if isinstance(root, int):
-            return root not in self.shape.nodes and self.shape.kind(root) in _KINDS
-        return root[0] in _APART
+            return self.shape.apart_only and root not in self.shape.nodes and self.shape.kind(root) in _KINDS
+        return root[0] in (_APART if self.shape.apart_only else _OF_LIBRARIES)
 
     def now(self, root: Root) -> Content:
         """The content of an object, about which nobody is told that it was read; of a slot, what stands there."""
@@ -137,22 +140,18 @@ class Standing(Store):
 
     def told(self, mark: Mark) -> Mark:
         """The same; where it leads to very many objects, with one for all that are merged."""
-        if len(mark.roots) <= self.shape.few:
+        roots = mark.roots
+        if len(roots) > self.shape.few:
+            self.shape.spent += len(roots) >> 3
+        elif self.shape.apart_only or len(roots) < _SHORT or not self.numbers.merged:
             return mark
-        self.shape.spent += len(mark.roots) >> 3
-        return Mark(mark.mask, self.numbers.canonical(mark.roots))
+        one = self.numbers.canonical(roots)
+        return mark if one is roots else Mark(mark.mask, one)
 
     def base(self, roots: frozenset[Root]) -> int:
         """What stands in objects that came from outside, as far as one look tells."""
         found = 0
-        based = self.numbers.based
-        if not self.numbers.merged:
-            for root in roots & based if len(roots) > 1 else roots:
-                content = self.known(root)
-                if content is not None:
-                    found |= content.base
-            return found
-        for root in self.numbers.apart(roots):
+        for root in roots & self.numbers.based if len(roots) > 1 else roots:
             content = self.known(root)
             if content is not None:
                 found |= content.base
@@ -202,7 +201,8 @@ class Standing(Store):
                 self._looked = {}
             self._looked[roots] = looked
         elif tracker is not None and looked.tracker is not tracker:
-            tracker.read_each(looked.reads)
+            tracker.read_each(looked.further)
+            tracker.read_each(looked.objects)
             looked.tracker = tracker
             self.shape.spent += 1
         return looked
@@ -226,16 +226,31 @@ class Standing(Store):
         return self.shape.held(root)
 
     def _look(self, roots: frozenset[Root]) -> Looked:
-        """All that these lead to."""
-        mask = 0
-        seen: Layer = {}
-        further: Layer = {}
+        """All that these lead to: what some of them lead to may be known."""
+        within, best = 0, None
+        for known, looked in self._looked.items():
+            if len(known) > within and known <= roots:
+                within, best = len(known), looked
+        tracker = self.shape.tracker
+        if best is None:
+            found = Looked(0, {}, {}, tracker)
+        else:
+            found = Looked(best.mask, best.objects.copy(), best.further.copy(), tracker)
+            if tracker is not None and best.tracker is not tracker:
+                tracker.read_each(best.further)
+                tracker.read_each(best.objects)
+        self._look_on(found, self.numbers.canonical(roots) - found.objects.keys())
+        if len(found.objects) > self.shape.few * _DEPTH:
+            self.merge(found.objects)
+        return found
+
+    def _look_on(self, looked: Looked, work: set[Root]) -> None:
+        """What these lead to is looked through, too; it is used up."""
+        mask, seen, further = 0, looked.objects, looked.further
         numbers, pages, inner = self.numbers, self._pages, self.shape.inner
         canonical, of, merged, nodes = numbers.canonical, self._of, numbers.merged, self.shape.nodes
-        work = set(canonical(roots))
-        known = {id(roots)}
-        met: set[int] = set()  # what stands for several
-        repeated = 0
+        known: set[int] = set()
+        found: Layer = {}
         while work:
             if len(seen) > _MOST:
                 raise TooLongError
@@ -244,18 +259,16 @@ class Standing(Store):
             content: Content | None = None
             if number is not None:
                 if number in merged:
-                    if number in met:
-                        repeated += 1
-                        continue
-                    met.add(number)
                     root = numbers.roots[number]
+                    if root in seen:
+                        continue
                 page = pages.get(number >> SHIFT)
                 content = None if page is None else page[number & MASK]
             if content is None:
                 for each in map(numbers.one, behind(root, inner)):
                     further[each] = self.of(each)
                 content = self.now(root)
-            seen[root] = content
+            seen[root] = found[root] = content
             whole = content.whole
             mask |= whole.mask | content.size
             if whole.roots and id(whole.roots) not in known:  # many objects share what they lead to
@@ -264,19 +277,29 @@ class Standing(Store):
             holds = self._holds(root)
             if holds:
                 work.update(r for r in holds if r not in seen)
-        self.shape.spent += len(seen) + (repeated >> 3)
-        tracker = self.shape.tracker
-        if tracker is not None:
-            tracker.read_each(seen)
-        looked = Looked(mask, {**further, **seen} if further else seen, seen.keys(), tracker)
-        if len(seen) > self.shape.few * _DEPTH:
-            self.merge(seen)
-        return looked
+        looked.mask |= mask
+        self.shape.spent += len(found)
+        if looked.tracker is not None and looked.tracker is self.shape.tracker:
+            looked.tracker.read_each(found)
+
+    def _grown(self, looked: Looked, root: Root, content: Content) -> Looked | None:
+        """What a look finds now that an object has another content; None where that is less, or says what stands in others."""
+        before, whole = looked.objects[root], content.whole
+        was = before.whole
+        if (was.mask | before.size) & ~(whole.mask | content.size) or not was.roots <= whole.roots:
+            return None
+        found = Looked(looked.mask | whole.mask | content.size, looked.objects.copy(), looked.further, looked.tracker)
+        found.objects[root] = content
+        more = self.numbers.canonical(whole.roots) - found.objects.keys() - self.shape.nodes
+        if more:
+            found.further = looked.further.copy()
+            self._look_on(found, more)
+        return found
 
     def reached(self, mark: Mark) -> Collection[Root]:
         """The objects that a value leads to, but for nodes that it does not lead to at once; of those that are merged, one."""
         roots = mark.roots
-        if not self.numbers.merged:
+        if not self.numbers.merged or not self.shape.apart_only:
             return self._through(roots).objects if roots else ()
         canonical, of, merged, nodes = self.numbers.canonical, self._of, self.numbers.merged, self.shape.nodes
         found: dict[object, Root] = {}

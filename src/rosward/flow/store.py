@@ -11,7 +11,7 @@ have one number, and one content.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import compress
 from operator import is_not
 from typing import Final, final
@@ -34,9 +34,10 @@ MELTED: Final = "melted"
 class Numbers:
     """The numbers of the objects of one walk."""
 
-    __slots__ = ("_apart", "_canonical", "_covered", "_named", "based", "held", "led", "merged", "merges", "of", "roots")
+    __slots__ = ("_apart", "_canonical", "_covered", "_named", "_tells", "based", "held", "led", "merged", "merges", "of", "roots")
 
-    def __init__(self) -> None:
+    def __init__(self, tells: Callable[[str], bool]) -> None:
+        self._tells = tells  # whether more is known of something of a library by its name
         self.of: dict[Root, int] = {}
         self.roots: list[Root] = []  # by number
         self.merged: dict[int, list[Root]] = {}  # the numbers that stand for several objects, with these
@@ -72,6 +73,8 @@ class Numbers:
                 led |= self.led.pop(number, frozenset())
                 self.merged[new] += several
                 self.of.update(dict.fromkeys(several, new))
+        if not self.based.isdisjoint(self.merged[new]):
+            self.based.update(self.merged[new])
         self._apart.clear()
         self._canonical.clear()
         self.led[new] = self.canonical(led | self.led.get(new, frozenset()))
@@ -83,7 +86,7 @@ class Numbers:
         return root if number is None or number not in self.merged else self.roots[number]
 
     def canonical(self, roots: frozenset[Root]) -> frozenset[Root]:
-        """The same objects, with one for all that are merged; of things of libraries, one for each name."""
+        """The same objects, with one for all that are merged; of things of libraries, one for each name that tells something."""
         if not self.merged:
             return roots
         found = self._canonical.get(roots)
@@ -95,7 +98,8 @@ class Numbers:
                 if number is None or number not in merged:
                     ones[root] = root
                 elif not isinstance(root, int) and root[0] != "of" and (name := name_of(root)):
-                    ones[number, name] = self._named.setdefault((number, name), root)
+                    called = name if self._tells(name) else "*"
+                    ones[number, called] = self._named.setdefault((number, called), root)
                 else:
                     ones[number, ""] = self.roots[number]
             found = self._canonical[roots] = frozenset(ones.values())
@@ -171,7 +175,8 @@ class Store:
         assert page is not None
         page[number & MASK] = content
         if content is not None and content.base:
-            self.numbers.based.add(self.numbers.roots[number])
+            numbers = self.numbers
+            numbers.based.update(numbers.merged.get(number) or (numbers.roots[number],))
 
     def items(self) -> Iterator[tuple[Root, Content]]:
         """All objects of which something was written."""

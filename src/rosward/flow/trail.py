@@ -124,6 +124,8 @@ class Trail:
                 rank = (source not in arriving.get(event, ()), met.key != key)
                 if best is None or rank < best[0]:
                     best = rank, event, met
+                    if rank == (False, False):
+                        break
         return None if best is None else best[1:]
 
 
