@@ -8,6 +8,7 @@ another object (`msg.header`) has the base of that attribute until it is written
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
+from itertools import islice
 from typing import TYPE_CHECKING, Final
 
 from rosward.flow.content import EMPTY, Content, Layer, TooLongError
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
 _SHORT: Final = 8
-_MOST_LOOKS: Final = 64
+_MOST_LOOKS: Final = 128
 _DEPTH: Final = 8
 """Where a value leads to so many times more objects than it may be itself, these are one from then on."""
 _APART: Final = frozenset(("made", "tuple", "of", "arrived", "external", MELTED))
@@ -198,7 +199,7 @@ class Standing(Store):
         if looked is None:
             looked = self._look(roots)
             if len(self._looked) >= _MOST_LOOKS:
-                self._looked = {}
+                self._looked = dict(islice(self._looked.items(), _MOST_LOOKS >> 1, None))
             self._looked[roots] = looked
         elif tracker is not None and looked.tracker is not tracker:
             tracker.read_each(looked.further)
