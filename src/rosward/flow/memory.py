@@ -70,7 +70,7 @@ class Memory(Standing):
                 if looked.further[root] != content:
                     changed[roots] = None
             elif root in looked.objects and looked.objects[root] != content:
-                changed[roots] = self._grown(looked, root, content)
+                changed[roots] = self._grown(looked, {root: content})
         if changed:
             new = {**self._looked, **changed}
             self._looked = {roots: looked for roots, looked in new.items() if looked is not None}

@@ -53,3 +53,7 @@ class Looked:
         self.objects = objects
         self.further = further
         self.tracker = tracker
+
+    def copy(self) -> Looked:
+        """An independent one, to add to."""
+        return Looked(self.mask, self.objects.copy(), self.further.copy(), self.tracker)

@@ -23,7 +23,9 @@ if TYPE_CHECKING:
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
 _SHORT: Final = 8
-_MOST_LOOKS: Final = 128
+_WORTH: Final = 8
+"""What was found by looking through fewer objects is not kept for others."""
+_MOST_LOOKS: Final = 64
 _DEPTH: Final = 8
 """Where a value leads to so many times more objects than it may be itself, these are one from then on."""
 _APART: Final = frozenset(("made", "tuple", "of", "arrived", "external", MELTED))
@@ -236,7 +238,8 @@ class Standing(Store):
         if best is None:
             found = Looked(0, {}, {}, tracker)
         else:
-            found = Looked(best.mask, best.objects.copy(), best.further.copy(), tracker)
+            found = best.copy()
+            found.tracker = tracker
             if tracker is not None and best.tracker is not tracker:
                 tracker.read_each(best.further)
                 tracker.read_each(best.objects)
@@ -283,19 +286,38 @@ class Standing(Store):
         if looked.tracker is not None and looked.tracker is self.shape.tracker:
             looked.tracker.read_each(found)
 
-    def _grown(self, looked: Looked, root: Root, content: Content) -> Looked | None:
-        """What a look finds now that an object has another content; None where that is less, or says what stands in others."""
-        before, whole = looked.objects[root], content.whole
-        was = before.whole
-        if (was.mask | before.size) & ~(whole.mask | content.size) or not was.roots <= whole.roots:
-            return None
-        found = Looked(looked.mask | whole.mask | content.size, looked.objects.copy(), looked.further, looked.tracker)
-        found.objects[root] = content
-        more = self.numbers.canonical(whole.roots) - found.objects.keys() - self.shape.nodes
+    def _grown(self, looked: Looked, changed: Layer) -> Looked | None:
+        """What a look finds now that objects have another content; None where that is less."""
+        found = looked.copy()
+        found.objects.update(changed)
+        more: set[Root] = set()
+        for root, content in changed.items():
+            before, whole = looked.objects[root], content.whole
+            was = before.whole
+            if (was.mask | before.size) & ~(whole.mask | content.size) or not was.roots <= whole.roots:
+                return None
+            found.mask |= whole.mask | content.size
+            more |= whole.roots
         if more:
-            found.further = looked.further.copy()
-            self._look_on(found, more)
+            self._look_on(found, self.numbers.canonical(frozenset(more)) - found.objects.keys() - self.shape.nodes)
         return found
+
+    def take_looks(self, other: Standing) -> None:
+        """What was found by looking through another one, which is covered here, is of use here, too."""
+        for roots, looked in other.current()._looked.items():
+            if roots in self._looked or len(looked.objects) < _WORTH or len(self._looked) >= _MOST_LOOKS:
+                continue
+            if any(self.now(root) != content for root, content in looked.further.items()):
+                continue
+            changed: Layer = {}
+            for root, content in looked.objects.items():
+                here = self.known(root)
+                if here is not None and here is not content and here != content:
+                    changed[root] = here
+            found = self._grown(looked, changed)
+            if found is not None:
+                found.tracker = None
+                self._looked[roots] = found
 
     def reached(self, mark: Mark) -> Collection[Root]:
         """The objects that a value leads to, but for nodes that it does not lead to at once; of those that are merged, one."""

@@ -233,6 +233,7 @@ class Walker:
         if self.beside.join(self.memory):
             self.changed = True
             self._beside += 1
+        self.beside.take_looks(self.memory)
 
     def source_here(self, kind: str) -> Source:
         """What arrives here, of that kind: at the object of whose method this runs."""
