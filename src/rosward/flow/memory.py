@@ -64,16 +64,16 @@ class Memory(Standing):
 
     def _renew_looks(self, root: Root, content: Content) -> None:
         """What was found by looking through this object is out of date, unless the same stands in it, or more."""
-        changed: dict[frozenset[Root], Looked | None] = {}
+        stale: dict[frozenset[Root], Looked] = {}
         for roots, looked in self._looked.items():
-            if root in looked.further:
-                if looked.further[root] != content:
-                    changed[roots] = None
-            elif root in looked.objects and looked.objects[root] != content:
-                changed[roots] = self._grown(looked, {root: content})
-        if changed:
-            new = {**self._looked, **changed}
-            self._looked = {roots: looked for roots, looked in new.items() if looked is not None}
+            if looked.further.get(root, content) != content or looked.objects.get(root, content) != content:
+                stale[roots] = looked
+        if stale:
+            self._looked = {roots: looked for roots, looked in self._looked.items() if roots not in stale}
+            for roots, looked in stale.items():
+                grown = None if root in looked.further else self._grown(looked, {root: content})
+                if grown is not None:
+                    self._looked[roots] = grown
 
     def join(self, other: Memory) -> bool:
         """Cover another one, too; whether that changed anything."""

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
-_SHORT: Final = 8
+_SHORT: Final = 3
 _WORTH: Final = 8
 """What was found by looking through fewer objects is not kept for others."""
 _MOST_LOOKS: Final = 64
@@ -229,62 +229,62 @@ class Standing(Store):
         return self.shape.held(root)
 
     def _look(self, roots: frozenset[Root]) -> Looked:
-        """All that these lead to: what some of them lead to may be known."""
-        within, best = 0, None
-        for known, looked in self._looked.items():
-            if len(known) > within and known <= roots:
-                within, best = len(known), looked
-        tracker = self.shape.tracker
-        if best is None:
-            found = Looked(0, {}, {}, tracker)
-        else:
-            found = best.copy()
-            found.tracker = tracker
-            if tracker is not None and best.tracker is not tracker:
-                tracker.read_each(best.further)
-                tracker.read_each(best.objects)
-        self._look_on(found, self.numbers.canonical(roots) - found.objects.keys())
+        """All that these lead to."""
+        found = Looked(0, {}, {}, self.shape.tracker)
+        self._look_on(found, set(self.numbers.canonical(roots)))
         if len(found.objects) > self.shape.few * _DEPTH:
             self.merge(found.objects)
         return found
 
     def _look_on(self, looked: Looked, work: set[Root]) -> None:
-        """What these lead to is looked through, too; it is used up."""
+        """What these lead to is looked through, too. What is known of some of them is taken over."""
         mask, seen, further = 0, looked.objects, looked.further
         numbers, pages, inner = self.numbers, self._pages, self.shape.inner
         canonical, of, merged, nodes = numbers.canonical, self._of, numbers.merged, self.shape.nodes
         known: set[int] = set()
         found: Layer = {}
+        earlier = [(roots, each) for roots, each in self._looked.items() if len(each.objects) >= _WORTH]
         while work:
+            if earlier and len(work) >= _SHORT:
+                reach = work | seen.keys()
+                for roots, each in earlier:
+                    if roots <= reach and not roots <= seen.keys():
+                        seen.update(each.objects)
+                        found.update(each.objects)
+                        further.update(each.further)
+                        mask |= each.mask
+                work -= seen.keys()
+            more: set[Root] = set()
+            for root in work:
+                number = of.get(root)
+                content: Content | None = None
+                if number is not None:
+                    if number in merged:
+                        root = numbers.roots[number]  # noqa: PLW2901
+                        if root in seen:
+                            continue
+                    page = pages.get(number >> SHIFT)
+                    content = None if page is None else page[number & MASK]
+                if content is None:
+                    for other in map(numbers.one, behind(root, inner)):
+                        further[other] = self.now(other)
+                    content = self.now(root)
+                seen[root] = found[root] = content
+                whole = content.whole
+                mask |= whole.mask | content.size
+                if whole.roots and id(whole.roots) not in known:  # many objects share what they lead to
+                    known.add(id(whole.roots))
+                    more |= canonical(whole.roots) - nodes
+                more.update(self._holds(root))
+            self.shape.spent += len(work)
             if len(seen) > _MOST:
                 raise TooLongError
-            root = work.pop()
-            number = of.get(root)
-            content: Content | None = None
-            if number is not None:
-                if number in merged:
-                    root = numbers.roots[number]
-                    if root in seen:
-                        continue
-                page = pages.get(number >> SHIFT)
-                content = None if page is None else page[number & MASK]
-            if content is None:
-                for each in map(numbers.one, behind(root, inner)):
-                    further[each] = self.of(each)
-                content = self.now(root)
-            seen[root] = found[root] = content
-            whole = content.whole
-            mask |= whole.mask | content.size
-            if whole.roots and id(whole.roots) not in known:  # many objects share what they lead to
-                known.add(id(whole.roots))
-                work |= canonical(whole.roots) - seen.keys() - nodes
-            holds = self._holds(root)
-            if holds:
-                work.update(r for r in holds if r not in seen)
+            work = more - seen.keys()
         looked.mask |= mask
-        self.shape.spent += len(found)
-        if looked.tracker is not None and looked.tracker is self.shape.tracker:
-            looked.tracker.read_each(found)
+        tracker = looked.tracker
+        if tracker is not None and tracker is self.shape.tracker:
+            tracker.read_each(further)
+            tracker.read_each(found)
 
     def _grown(self, looked: Looked, changed: Layer) -> Looked | None:
         """What a look finds now that objects have another content; None where that is less."""
