@@ -71,7 +71,7 @@ class Memory(Standing):
         if stale:
             self._looked = {roots: looked for roots, looked in self._looked.items() if roots not in stale}
             for roots, looked in stale.items():
-                grown = None if root in looked.further else self._grown(looked, {root: content})
+                grown = self._grown(looked, {root: content})
                 if grown is not None:
                     self._looked[roots] = grown
 

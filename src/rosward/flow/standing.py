@@ -7,7 +7,7 @@ another object (`msg.header`) has the base of that attribute until it is written
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from itertools import islice
 from typing import TYPE_CHECKING, Final
 
@@ -32,6 +32,7 @@ _APART: Final = frozenset(("made", "tuple", "of", "arrived", "external", MELTED)
 """What without an address may be one with others."""
 _OF_LIBRARIES: Final = frozenset(("made", "of", "arrived", "external", MELTED))
 """In C++ none but these."""
+_PARTS: Final = frozenset(("slot", "of"))
 _KINDS: Final = frozenset(("instance", "list", "dict", "set"))
 """And which objects with one."""
 
@@ -289,27 +290,39 @@ class Standing(Store):
     def _grown(self, looked: Looked, changed: Layer) -> Looked | None:
         """What a look finds now that objects have another content; None where that is less."""
         found = looked.copy()
-        found.objects.update(changed)
         more: set[Root] = set()
         for root, content in changed.items():
-            before, whole = looked.objects[root], content.whole
-            was = before.whole
-            if (was.mask | before.size) & ~(whole.mask | content.size) or not was.roots <= whole.roots:
-                return None
-            found.mask |= whole.mask | content.size
-            more |= whole.roots
+            for each, here in self._told_by(looked, root, content):
+                before, whole = looked.objects[each], here.whole
+                was = before.whole
+                if (was.mask | before.size) & ~(whole.mask | here.size) or not was.roots <= whole.roots:
+                    return None
+                found.objects[each] = here
+                found.mask |= whole.mask | here.size
+                more |= whole.roots
+            if root in found.further:
+                found.further[root] = content
         if more:
             self._look_on(found, self.numbers.canonical(frozenset(more)) - found.objects.keys() - self.shape.nodes)
         return found
+
+    def _told_by(self, looked: Looked, root: Root, content: Content) -> Iterator[tuple[Root, Content]]:
+        """The objects of a look that have another content now that one has this."""
+        if root in looked.objects:
+            yield root, content
+        if root in looked.further:
+            inner = self.shape.inner
+            for each in looked.objects:
+                if (each in inner if isinstance(each, int) else each[0] in _PARTS) and self.known(each) is None:
+                    if root in map(self.numbers.one, behind(each, inner)):
+                        yield each, self.now(each)
 
     def take_looks(self, other: Standing) -> None:
         """What was found by looking through another one, which is covered here, is of use here, too."""
         for roots, looked in other.current()._looked.items():
             if roots in self._looked or len(looked.objects) < _WORTH or len(self._looked) >= _MOST_LOOKS:
                 continue
-            if any(self.now(root) != content for root, content in looked.further.items()):
-                continue
-            changed: Layer = {}
+            changed: Layer = {root: here for root, content in looked.further.items() if (here := self.now(root)) != content}
             for root, content in looked.objects.items():
                 here = self.known(root)
                 if here is not None and here is not content and here != content:
