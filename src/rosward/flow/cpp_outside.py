@@ -189,6 +189,8 @@ def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:
     out(walker, "log", mask)
 
 
+_FEW: Final = 12
+"""Of more objects, those that code nobody knows gets hold of are one, if libraries made them."""
 _WRITES: Final = frozenset(f"std.stringstream.{name}" for name in ("write", "put"))
 """How streams are written to but by `<<`."""
 
@@ -239,9 +241,7 @@ def strange(
         return Mark(body.pc | given, frozenset((root,)))
     if not all(said.is_known and not said.changes for said in known):
         memory.write_any(reached, Mark(mask | given, behind), mask | given)
-        import os
-        FEW=int(os.environ.get("FEWX") or walker.shape.few)
-        if len(reached) > FEW:
+        if len(reached) > _FEW:  # it may have written each into each
             memory.merge(reached)
             behind = walker.shape.numbers.canonical(behind)
     return Mark(mask | given, behind | {root})

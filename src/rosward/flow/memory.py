@@ -14,7 +14,7 @@ from typing import final
 
 from rosward.flow.content import EMPTY, Content, Layer, both
 from rosward.flow.marks import Mark, Root, is_slot, part_of, slot_of
-from rosward.flow.remembered import Looked, Written
+from rosward.flow.remembered import Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
 from rosward.flow.tracker import Keys, Tracker
@@ -50,30 +50,29 @@ class Memory(Standing):
         if number in self.numbers.merged:
             root, keys = self.numbers.roots[number], None
             content = both(self.of(root), self.numbers.melted(content))
+        if self._looked:
+            self._mind_looks(root, content)
         self._set(number, content)
         if self._met >= 0:
             self._since.add(number)
         tracker = self.shape.tracker
         if tracker is not None:
             tracker.write(root, content, keys)
-        if self._looked:
-            self._renew_looks(root, content)
         if self.log is not None:
             before = self.log.get(root)
             self.log[root] = content if before is None else both(before, content)
 
-    def _renew_looks(self, root: Root, content: Content) -> None:
-        """What was found by looking through this object is out of date, unless the same stands in it, or more."""
-        stale: dict[frozenset[Root], Looked] = {}
-        for roots, looked in self._looked.items():
-            if looked.further.get(root, content) != content or looked.objects.get(root, content) != content:
-                stale[roots] = looked
-        if stale:
-            self._looked = {roots: looked for roots, looked in self._looked.items() if roots not in stale}
-            for roots, looked in stale.items():
-                grown = self._grown(looked, {root: content})
-                if grown is not None:
-                    self._looked[roots] = grown
+    def _mind_looks(self, root: Root, content: Content) -> None:
+        """What was found by looking through this object has to take in what stands there; where that is less, it is of no use."""
+        within = [r for r, looked in self._looked.items() if root in looked.objects or root in looked.further]
+        if within:
+            before = self.known(root)
+            less = before is not None and not before.within(content)
+            for roots in within:
+                if less:
+                    del self._looked[roots]
+                else:
+                    self._looked[roots] = self._looked[roots].behind(root)
 
     def join(self, other: Memory) -> bool:
         """Cover another one, too; whether that changed anything."""

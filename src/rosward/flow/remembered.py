@@ -43,17 +43,31 @@ class Remembered(NamedTuple):
 class Looked:
     """What a look through all that some roots lead to has found: the objects, and `further` those that say what stands in them.
 
-    `tracker`: who knows already that all of them were read.
+    `changed`: those of them that were written since; `tracker`: who knows already that all of them were read.
     """
 
-    __slots__ = ("further", "mask", "objects", "tracker")
+    __slots__ = ("changed", "further", "mask", "objects", "tracker")
 
-    def __init__(self, mask: int, objects: Layer, further: Layer, tracker: Tracker | None) -> None:
+    def __init__(
+        self,
+        mask: int,
+        objects: Layer,
+        further: Layer,
+        tracker: Tracker | None,
+        changed: frozenset[Root] = frozenset(),
+    ) -> None:
         self.mask = mask
         self.objects = objects
         self.further = further
         self.tracker = tracker
+        self.changed = changed
 
     def copy(self) -> Looked:
         """An independent one, to add to."""
         return Looked(self.mask, self.objects.copy(), self.further.copy(), self.tracker)
+
+    def behind(self, root: Root) -> Looked:
+        """The same, once an object was written."""
+        if root in self.changed:
+            return self
+        return Looked(self.mask, self.objects, self.further, self.tracker, self.changed | {root})

@@ -75,8 +75,7 @@ class Shape:
             self._parts.setdefault(owner, []).append(address)
         self._inside = {owner: address for address, owner in self.inner.items()}
         self._named: dict[str, list[tuple[int, str]]] | None = None
-        import os
-        self.apart_only = machine.linked is None or "INTS" in os.environ
+        self.merges_objects = machine.linked is None  # in C++ parts have their place in a whole: only what libraries made is merged
         self._said = marks_of(machine)
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
@@ -87,8 +86,8 @@ class Shape:
 
     @property
     def few(self) -> int:
-        """So many objects that one value may be are told apart; the more was walked through, the fewer. In C++ parts have a place in the whole."""
-        if not self.apart_only:
+        """So many objects that one value may be are told apart; the more was walked through, the fewer; where they are not merged, all."""
+        if not self.merges_objects:
             return _ALL
         return next(few for spent, few in _FEW if self.spent < spent)
 

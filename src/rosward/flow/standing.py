@@ -85,8 +85,8 @@ class Standing(Store):
 
     def _may_merge(self, root: Root) -> bool:
         if isinstance(root, int):
-            return self.shape.apart_only and root not in self.shape.nodes and self.shape.kind(root) in _KINDS
-        return root[0] in (_APART if self.shape.apart_only else _OF_LIBRARIES)
+            return self.shape.merges_objects and root not in self.shape.nodes and self.shape.kind(root) in _KINDS
+        return root[0] in (_APART if self.shape.merges_objects else _OF_LIBRARIES)
 
     def now(self, root: Root) -> Content:
         """The content of an object, about which nobody is told that it was read; of a slot, what stands there."""
@@ -147,7 +147,7 @@ class Standing(Store):
         roots = mark.roots
         if len(roots) > self.shape.few:
             self.shape.spent += len(roots) >> 3
-        elif self.shape.apart_only or len(roots) < _SHORT or not self.numbers.merged:
+        elif self.shape.merges_objects or len(roots) < _SHORT or not self.numbers.merged:
             return mark
         one = self.numbers.canonical(roots)
         return mark if one is roots else Mark(mark.mask, one)
@@ -198,7 +198,7 @@ class Standing(Store):
     def _through(self, roots: frozenset[Root]) -> Looked:
         """What a look through all that these lead to has found, perhaps before."""
         tracker = self.shape.tracker
-        looked = self._looked.get(roots)
+        looked = self._fresh(roots)
         if looked is None:
             looked = self._look(roots)
             if len(self._looked) >= _MOST_LOOKS:
@@ -210,6 +210,17 @@ class Standing(Store):
             looked.tracker = tracker
             self.shape.spent += 1
         return looked
+
+    def _fresh(self, roots: frozenset[Root]) -> Looked | None:
+        """What a look has found, with what was written since; None where nobody looked, or there is less now."""
+        looked = self._looked.get(roots)
+        if looked is None or not looked.changed:
+            return looked
+        del self._looked[roots]
+        grown = self._grown(looked, looked.changed)
+        if grown is not None:
+            self._looked[roots] = grown
+        return grown
 
     def _of_leaf(self, root: Root) -> int | None:
         """What stands in an object that leads nowhere; None where it is none."""
@@ -244,16 +255,18 @@ class Standing(Store):
         canonical, of, merged, nodes = numbers.canonical, self._of, numbers.merged, self.shape.nodes
         known: set[int] = set()
         found: Layer = {}
-        earlier = [(roots, each) for roots, each in self._looked.items() if len(each.objects) >= _WORTH]
+        earlier = [roots for roots, each in self._looked.items() if len(each.objects) >= _WORTH]
         while work:
             if earlier and len(work) >= _SHORT:
                 reach = work | seen.keys()
-                for roots, each in earlier:
+                for roots in earlier:
                     if roots <= reach and not roots <= seen.keys():
-                        seen.update(each.objects)
-                        found.update(each.objects)
-                        further.update(each.further)
-                        mask |= each.mask
+                        each = self._fresh(roots)
+                        if each is not None:
+                            seen.update(each.objects)
+                            found.update(each.objects)
+                            further.update(each.further)
+                            mask |= each.mask
                 work -= seen.keys()
             more: set[Root] = set()
             for root in work:
@@ -287,55 +300,49 @@ class Standing(Store):
             tracker.read_each(further)
             tracker.read_each(found)
 
-    def _grown(self, looked: Looked, changed: Layer) -> Looked | None:
-        """What a look finds now that objects have another content; None where that is less."""
+    def _grown(self, looked: Looked, written: frozenset[Root]) -> Looked | None:
+        """What a look finds now that these were written; None where less stands in one of them."""
         found = looked.copy()
         more: set[Root] = set()
-        for root, content in changed.items():
-            for each, here in self._told_by(looked, root, content):
-                before, whole = looked.objects[each], here.whole
-                was = before.whole
-                if (was.mask | before.size) & ~(whole.mask | here.size) or not was.roots <= whole.roots:
-                    return None
-                found.objects[each] = here
-                found.mask |= whole.mask | here.size
-                more |= whole.roots
-            if root in found.further:
-                found.further[root] = content
+        for root in self._told_by(looked, written):
+            before, here = looked.objects[root], self.now(root)
+            if before is here:
+                continue
+            if not before.within(here):
+                return None
+            whole = here.whole
+            found.objects[root] = here
+            found.mask |= whole.mask | here.size
+            more |= whole.roots
+        for root in written & looked.further.keys():
+            found.further[root] = self.now(root)
         if more:
             self._look_on(found, self.numbers.canonical(frozenset(more)) - found.objects.keys() - self.shape.nodes)
         return found
 
-    def _told_by(self, looked: Looked, root: Root, content: Content) -> Iterator[tuple[Root, Content]]:
-        """The objects of a look that have another content now that one has this."""
-        if root in looked.objects:
-            yield root, content
-        if root in looked.further:
-            inner = self.shape.inner
-            for each in looked.objects:
-                if (each in inner if isinstance(each, int) else each[0] in _PARTS) and self.known(each) is None:
-                    if root in map(self.numbers.one, behind(each, inner)):
-                        yield each, self.now(each)
+    def _told_by(self, looked: Looked, written: frozenset[Root]) -> Iterator[Root]:
+        """The objects of a look that may have another content where these were written."""
+        yield from written & looked.objects.keys()
+        if not looked.further.keys().isdisjoint(written):
+            inner, one = self.shape.inner, self.numbers.one
+            for root in looked.objects:
+                if root in inner if isinstance(root, int) else root[0] in _PARTS:
+                    if self.known(root) is None and not written.isdisjoint(map(one, behind(root, inner))):
+                        yield root
 
     def take_looks(self, other: Standing) -> None:
         """What was found by looking through another one, which is covered here, is of use here, too."""
         for roots, looked in other.current()._looked.items():
             if roots in self._looked or len(looked.objects) < _WORTH or len(self._looked) >= _MOST_LOOKS:
                 continue
-            changed: Layer = {root: here for root, content in looked.further.items() if (here := self.now(root)) != content}
-            for root, content in looked.objects.items():
-                here = self.known(root)
-                if here is not None and here is not content and here != content:
-                    changed[root] = here
-            found = self._grown(looked, changed)
-            if found is not None:
-                found.tracker = None
-                self._looked[roots] = found
+            known = {**looked.further, **looked.objects}
+            changed = [root for root, content in known.items() if self.known(root) not in (None, content)]
+            self._looked[roots] = Looked(looked.mask, looked.objects, looked.further, None, frozenset(changed))
 
     def reached(self, mark: Mark) -> Collection[Root]:
         """The objects that a value leads to, but for nodes that it does not lead to at once; of those that are merged, one."""
         roots = mark.roots
-        if not self.numbers.merged or not self.shape.apart_only:
+        if not self.numbers.merged or not self.shape.merges_objects:
             return self._through(roots).objects if roots else ()
         canonical, of, merged, nodes = self.numbers.canonical, self._of, self.numbers.merged, self.shape.nodes
         found: dict[object, Root] = {}
