@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.ir.program import CPP, PYTHON
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -16,8 +17,8 @@ if TYPE_CHECKING:
     from rosward.flow.marks import Mark, Root
     from rosward.flow.tracker import Keys, Tracker
 
-MOST: Final = 6
-"""So many calls of one activation are remembered, the last ones."""
+MOST: Final = {PYTHON: 6, CPP: 2}
+"""So many calls of one activation are remembered, the last ones, by the language. In C++ each reads very much."""
 
 
 class Written(NamedTuple):

@@ -75,7 +75,9 @@ class Shape:
             self._parts.setdefault(owner, []).append(address)
         self._inside = {owner: address for address, owner in self.inner.items()}
         self._named: dict[str, list[tuple[int, str]]] | None = None
-        self.merges_objects = machine.linked is None  # in C++ parts have their place in a whole: only what libraries made is merged
+        self.merges_objects = (
+            machine.linked is None
+        )  # in C++ parts have their place in a whole: only what libraries made is merged
         self._said = marks_of(machine)
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}

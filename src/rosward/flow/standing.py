@@ -25,7 +25,7 @@ _MOST: Final = 4_000
 _SHORT: Final = 3
 _WORTH: Final = 8
 """What was found by looking through fewer objects is not kept for others."""
-_MOST_LOOKS: Final = 64
+_MOST_LOOKS: Final = 12
 _DEPTH: Final = 8
 """Where a value leads to so many times more objects than it may be itself, these are one from then on."""
 _APART: Final = frozenset(("made", "tuple", "of", "arrived", "external", MELTED))
@@ -317,7 +317,7 @@ class Standing(Store):
         for root in written & looked.further.keys():
             found.further[root] = self.now(root)
         if more:
-            self._look_on(found, self.numbers.canonical(frozenset(more)) - found.objects.keys() - self.shape.nodes)
+            self._look_on(found, set(self.numbers.canonical(frozenset(more)) - found.objects.keys() - self.shape.nodes))
         return found
 
     def _told_by(self, looked: Looked, written: frozenset[Root]) -> Iterator[Root]:

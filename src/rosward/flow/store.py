@@ -26,6 +26,8 @@ MASK: Final = (1 << SHIFT) - 1
 _OFFSETS: Final = range(MASK + 1)
 _BLANK: Final[tuple[None, ...]] = (None,) * (MASK + 1)
 _MOST_COVERED: Final = 30_000
+_MOST_KNOWN: Final = 1_000
+"""Of so many sets of objects it is kept which of them are one."""
 MELTED: Final = "melted"
 """The first word of what stands for many objects."""
 
@@ -34,7 +36,20 @@ MELTED: Final = "melted"
 class Numbers:
     """The numbers of the objects of one walk."""
 
-    __slots__ = ("_apart", "_canonical", "_covered", "_named", "_tells", "based", "held", "led", "merged", "merges", "of", "roots")
+    __slots__ = (
+        "_apart",
+        "_canonical",
+        "_covered",
+        "_named",
+        "_tells",
+        "based",
+        "held",
+        "led",
+        "merged",
+        "merges",
+        "of",
+        "roots",
+    )
 
     def __init__(self, tells: Callable[[str], bool]) -> None:
         self._tells = tells  # whether more is known of something of a library by its name
@@ -91,6 +106,8 @@ class Numbers:
             return roots
         found = self._canonical.get(roots)
         if found is None:
+            if len(self._canonical) >= _MOST_KNOWN:
+                self._canonical.clear()
             of, merged = self.of, self.merged
             ones: dict[object, Root] = {}
             for root in roots:
@@ -111,6 +128,8 @@ class Numbers:
             return roots
         found = self._apart.get(roots)
         if found is None:
+            if len(self._apart) >= _MOST_KNOWN:
+                self._apart.clear()
             of, merged = self.of, self.merged
             one: dict[object, Root] = {}
             for root in roots:

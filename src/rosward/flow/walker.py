@@ -307,7 +307,7 @@ class Walker:
             self.attempts[-1].mask |= before
         if not tracker.open:
             tracker.ended()
-            del earlier[MOST - 1 :]
+            del earlier[MOST[activation.code.language] - 1 :]
             earlier.insert(0, Remembered(given, tracker, self.memory.left(tracker), result, raising, beside))
         return result
 
