@@ -18,8 +18,11 @@ import functools
 import itertools
 import multiprocessing
 import operator
+import random
+import sys
 import threading
 import time
+import traceback
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial

@@ -331,6 +331,49 @@ CASES: Final = {
         "self.other.is_canceled()",
         "control",
     ),
+    "an object made on the spot that says whether it is true": Case(
+        "self.value = 0.0",
+        "class Level:\n    def __init__(self, value):\n        self.value = value\n    def __bool__(self):\n"
+        "        return self.value > 1.0\nif Level(msg.data):\n    self.value = 1.0",
+        "self.value",
+        "control",
+    ),
+    "an object that says when a loop ends": Case(
+        "self.value = 0.0",
+        "class Level:\n    def __init__(self, value):\n        self.value = value\n    def __len__(self):\n"
+        "        self.value -= 1\n        return int(self.value)\nlevel = Level(msg.data)\nwhile level:\n    self.value += 1.0",
+        "self.value",
+        "control",
+    ),
+    "an attribute of a class, in its body": Case(
+        "self.value = 0.0",
+        "class Level:\n    value = msg.data\n    twice = value * 2.0\nself.value = Level.twice",
+        "self.value",
+    ),
+    "an attribute of a class that a call makes": Case(
+        "self.value = 0.0", "self.value = type('Level', (), {'value': msg.data}).value", "self.value"
+    ),
+    "a variable of the module, by the module": Case("", "sys.modules[__name__].LEVEL = msg.data", "LEVEL"),
+    "the exception that is handled": Case(
+        "self.value = 0.0",
+        "try:\n    raise ValueError(msg.data)\nexcept ValueError:\n    self.value = sys.exc_info()[1].args[0]",
+        "self.value",
+    ),
+    "what is told of an exception": Case(
+        "self.value = ''",
+        "try:\n    raise ValueError(msg.data)\nexcept ValueError:\n    self.value = traceback.format_exc()",
+        "float(len(self.value))",
+    ),
+    "where random numbers begin": Case("", "random.seed(msg.data)", "random.random()"),
+    "where random numbers of arrays begin": Case("", "np.random.seed(int(msg.data))", "np.random.rand()"),
+    "whether an attribute is there": Case(
+        "", "if msg.data > 1.0:\n    self.extra = 1.0", "float(hasattr(self, 'extra'))", "control"
+    ),
+    "whether an attribute is there, whatever it is": Case(
+        "", "self.extra = msg.data", "float(hasattr(self, 'extra'))", "trigger"
+    ),
+    "code that is executed": Case("self.value = 0.0", "exec('self.value = msg.data')", "self.value"),
+    "code that is evaluated": Case("self.value = 0.0", "self.value = eval('msg.data')", "self.value"),
 }
 
 
@@ -338,6 +381,62 @@ CASES: Final = {
 def test_nothing_is_lost(case: Case, tmp_path: Path) -> None:
     sources, said = said_strongly(case, tmp_path)
     assert "topic:/in" in sources, said
+
+
+def test_literals_that_are_evaluated_are_known(tmp_path: Path) -> None:
+    sources, said = said_strongly(Case("self.value = 0.0", "self.value = eval('1.5')", "self.value"), tmp_path)
+    assert "topic:/in" not in sources, said
+
+
+_SETTINGS: Final = """
+import rclpy
+import settings
+from rclpy.node import Node
+from std_msgs.msg import Float64
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.out = self.create_publisher(Float64, '/out', 10)
+        self.create_subscription(Float64, '/in', self.on_in, 10)
+        self.create_timer(0.1, self.tick)
+
+    def on_in(self, msg):
+        {writes}
+
+    def tick(self):
+        self.out.publish(Float64(data=settings.speed()))
+
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize(
+    "writes",
+    [
+        "settings.SPEED = msg.data",
+        "[settings][0].SPEED = msg.data",
+        "setattr(settings, 'SPEED', msg.data)",
+        "vars(settings)['SPEED'] = msg.data",
+        "settings.__dict__.update(SPEED=msg.data)",
+        "settings.LIMITS['speed'] = msg.data",
+        "settings.change(msg.data)",
+        "self.settings = settings; self.settings.SPEED = msg.data",
+    ],
+)
+def test_variables_of_another_module(writes: str, tmp_path: Path) -> None:
+    (tmp_path / "settings.py").write_text(
+        "SPEED = 0.0\nLIMITS = {'speed': 1.0}\n\n\ndef speed():\n    return min(SPEED, LIMITS['speed'])\n"
+        "\n\ndef change(value):\n    global SPEED\n    SPEED = value\n"
+    )
+    program = tmp_path / "robot.py"
+    program.write_text(_SETTINGS.format(writes=writes))
+    said = said_of(reported(program), "topic:/out")
+    assert said is not None
+    assert "topic:/in" in said.data
 
 
 @pytest.mark.xfail(strict=True, reason="an index that a parameter gives is taken for the one that its default gives")

@@ -146,6 +146,7 @@ def loop(
         if not alive:
             break
         test = frame.registers[op.test]
+        frame.op, frame.sequence = op, 0  # which asks, not the last operation of its condition
         decided = machine.language.truth(machine, test)
         ways = _named_ways(test) if decided is None and op.counted else frozenset()
         if ways:  # defaults and alternatives say how many turns there are
@@ -250,12 +251,14 @@ def until_stable(
         alive = True
         if isinstance(op, ops.While):
             alive = machine.run(op.condition, frame)
+            frame.op, frame.sequence = op, 0
             decided = machine.language.truth(machine, frame.registers[op.test]) if alive else False
             if alive and decided is not True:
                 ended = machine.snapshot(frame)
             alive = alive and decided is not False
         else:
             assert feed is not None
+            frame.op, frame.sequence = op, 0
             item, ended = feed()
             frame.registers[op.item] = item
             alive = item is not UNBOUND

@@ -37,10 +37,10 @@ Places = Callable[[Value], Iterator[Place]]
 def refs_of(value: Value) -> Iterator[int]:
     """The addresses of the objects that a value is or holds; not those that a function or method is bound to.
 
-    A class stands where its attributes and those of its bases do.
+    A class stands where its attributes and those of its bases do, a module where its variables do.
     """
     for option in _leaves(value):
-        if option.__class__ is Ref:
+        if option.__class__ is Ref or option.__class__ is ModuleValue:
             yield option.address
         elif option.__class__ is Class:
             yield from (c.address for c in option.mro if c.__class__ is Class and not c.stub)
@@ -181,6 +181,7 @@ class Seen:
     alive = False
     gave: Value | None = None  # the last value, of an operation that gives one
     called: Value | None = None  # the last function, of a call
+    written: tuple[object, ...] | None = None  # the last function of the program, with its arguments
     several = False
     swallows = False
     opaque = False
@@ -283,6 +284,10 @@ class Seen:
         before, self.gave = self.gave, value
         if value is before or (value.__class__ in _COMPARED and value == before):
             return
+        if value.__class__ is Ref:
+            if before.__class__ is not Ref or before.address != value.address:
+                self._give(value, places)
+            return
         for option in options(value):
             self._give(option, places)
         if value.__class__ is Text:
@@ -317,7 +322,7 @@ class Seen:
 
 _UNCHANGING: Final = frozenset(("str", "int", "float", "bool", "bytes", "complex", "NoneType"))
 """Types whose objects never change."""
-SILENT: Final = frozenset((BoundMethod, Function, ModuleValue, Native, Range, Slice))
+SILENT: Final = frozenset((BoundMethod, Function, Native, Range, Slice))
 """Values of which nothing is noted: they are no object, and hold none as a part."""
 _COMPARED: Final = frozenset((Choice, Tuple))
 """Values that are compared more quickly than looked through."""
@@ -340,7 +345,7 @@ ALIVE.alive = True
 class Activation:
     """What was seen of one body in one context, whenever it ran there."""
 
-    __slots__ = ("begun", "cells", "code", "context", "module", "seen")
+    __slots__ = ("begun", "cells", "code", "context", "module", "names", "seen")
 
     def __init__(self, code: Code, context: int, cells: tuple[int, ...], module: int) -> None:
         self.code = code
@@ -348,6 +353,7 @@ class Activation:
         self.context = context
         self.cells = cells
         self.seen: dict[int, Seen] = {}
+        self.names: set[int] = set()  # the classes whose names it defines
         self.begun: list[set[Place]] = []  # where its parameters lead, of a body in C++
 
     def of(self, number: int) -> Seen:

@@ -132,6 +132,7 @@ def _assume(machine: Engine, op: ops.Assume, frame: Frame) -> bool | None:
     if value.__class__ is not Choice and op.test not in ("true", "empty") and not narrowing.is_open(value):
         return None
     other = frame.registers[op.other] if op.other != ops.NO_REGISTER else None
+    frame.op, frame.sequence = op, 0
     kept = narrowing.narrowed(machine, value, op.test, other, op.sense)
     if kept is None:
         return DEAD if value.__class__ is Choice else None

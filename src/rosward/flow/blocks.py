@@ -15,7 +15,7 @@ from rosward.flow import cpp_calls
 from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees
 from rosward.flow.content import TooLongError
-from rosward.flow.marks import Mark, demoted
+from rosward.flow.marks import HANDLED, Mark, demoted
 from rosward.flow.reading import elements, narrowed, opaque
 from rosward.ir import ops
 
@@ -229,8 +229,10 @@ def attempt(walker: Walker, op: ops.Try, body: Body, _seen: Seen) -> bool:
             continue
         walker.go(body, tried.point.copy())
         body.pc = inside
+        raised = tried.raised.under(tried.mask | inside)
+        walker.memory.write_any((HANDLED,), raised)
         if handler.bind != ops.NO_REGISTER:
-            body.registers[handler.bind] = tried.raised.under(tried.mask | inside)
+            body.registers[handler.bind] = raised
         if walker.run(handler.match, body) and walker.run(handler.body, body):
             after = joined(after, walker.point(body))
     body.pc = outside | body.left

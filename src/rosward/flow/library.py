@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 
 _KNOWN: Final = ("rclpy.", "tf2_ros.", "builtins.")
 """Their methods keep nothing of what they are given that they give back later, unless a model says so."""
+_SEEDING: Final = frozenset(("random.seed", "random.setstate", "numpy.random.seed", "numpy.random.set_state"))
+_SEEDED: Final[Root] = ("seeded",)
+"""What decides which random numbers come."""
 _FEW: Final = 12
 """So many objects the result of an unknown call is said to be itself; it leads to more."""
 
@@ -34,9 +37,13 @@ def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
     said = walker.shape.said(name)
     for kind in said.sinks:
         out(walker, kind, mask | pc)
+    if name in _SEEDING:
+        walker.memory.write_any((_SEEDED,), Mark(mask | pc))
     given = 0
     for kind in said.sources:
         given |= comes_in(walker, kind)
+        if kind == "random":
+            given |= walker.memory.of(_SEEDED).whole.mask
     return given
 
 

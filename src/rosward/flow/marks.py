@@ -20,11 +20,16 @@ _SOURCES: Final = 2048
 _DATA: Final = sum(1 << 3 * n for n in range(_SOURCES))
 _CONTROL: Final = _DATA << 1
 _TRIGGER: Final = _DATA << 2
+_WEAKER: Final = _CONTROL | _TRIGGER
 
 _EVENTS: Final = frozenset(("main", "timer", "thread", "parameters"))
 
 Root = int | tuple[object, ...]
 """Where content stands: the address of an object, or a name for what has no address (the result of an unknown call, a tuple)."""
+
+
+HANDLED: Final[Root] = ("handled",)
+"""Where the exceptions stand that were handled, whoever asks for them (`sys.exc_info()`)."""
 
 
 def is_slot(root: Root) -> bool:
@@ -86,7 +91,12 @@ NOTHING: Final = Mark()
 
 def demoted(mask: int) -> int:
     """What is made under a branch that depends on this: its data has become control."""
-    return (mask & _DATA) << 1 | mask & (_CONTROL | _TRIGGER)
+    return (mask & _DATA) << 1 | mask & _WEAKER
+
+
+def decided(mask: int) -> int:
+    """Of what stands somewhere: what decides that it was written. Of data only the arrival counts."""
+    return (mask & _DATA) << 2 | mask & _WEAKER
 
 
 def triggering(mask: int) -> int:

@@ -19,7 +19,7 @@ from rosward.engine.seen import refs_of
 from rosward.flow import containers, library, parameters, partials
 from rosward.flow.constructed import fill
 from rosward.flow.content import Content
-from rosward.flow.marks import NOTHING, Mark, demoted, of_library
+from rosward.flow.marks import HANDLED, NOTHING, Mark, Root, decided, demoted, of_library
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, owners_of
@@ -270,6 +270,39 @@ def _identity(call: NativeCall) -> Mark:
     return Mark(mask)
 
 
+def _exists(call: NativeCall) -> Mark:
+    """Whether an attribute is there depends on what decides that it is written, not on what is written."""
+    memory, owner, key = call.walker.memory, call.mark(0), call.key(1)
+    found = memory.read(owner.roots, key) if isinstance(key, str) else memory.read_all(owner.roots)
+    return Mark(_identity(call).mask | decided(found.mask))
+
+
+def _type(call: NativeCall) -> Mark:
+    """Of which class an object is; with three arguments, a new class with these attributes."""
+    memory, classes = call.walker.memory, frozenset[Root](call.seen.refs)
+    for root in call.mark(2).roots:
+        content = memory.of(root)
+        memory.write_each(classes, {key: mark.under(call.pc) for key, mark in content.slots.items()}, content.slots)
+        memory.write_any(classes, content.any.under(content.base | call.pc))
+    return _identity(call)
+
+
+def _run_code(call: NativeCall) -> Mark:
+    """Code that is known at run time only may do anything."""
+    if call.name.endswith("exec") or call.seen.opaque:
+        call.walker.lost = True
+    mask = call.pc
+    for mark in call.marks:
+        mask |= call.walker.memory.deep(mark)
+    return call.computed(mask)
+
+
+def _handled(call: NativeCall) -> Mark:
+    """The exception that is being handled; which one that is, is not told apart."""
+    found = call.walker.memory.of(HANDLED).whole
+    return Mark(call.pc | call.walker.memory.deep(found), found.roots | frozenset(call.seen.refs))
+
+
 _METHODS: Final[dict[str, containers.Handler]] = {
     **containers.METHODS,
     "send": _send_into,
@@ -278,7 +311,11 @@ _METHODS: Final[dict[str, containers.Handler]] = {
 }
 _KNOWN: Final[dict[str, containers.Handler]] = {
     **containers.KNOWN,
-    **dict.fromkeys(("isinstance", "issubclass", "type", "id", "callable", "hasattr", "super", "object"), _identity),
+    **dict.fromkeys(("isinstance", "issubclass", "id", "callable", "super", "object"), _identity),
+    **dict.fromkeys(("exec", "eval"), _run_code),
+    **dict.fromkeys(("sys._handled", "traceback.format_exc"), _handled),
+    "type": _type,
+    "hasattr": _exists,
     "getattr": _get_attribute,
     "setattr": _set_attribute,
     **dict.fromkeys(

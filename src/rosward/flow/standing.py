@@ -90,20 +90,26 @@ class Standing(Store):
 
     def now(self, root: Root) -> Content:
         """The content of an object, about which nobody is told that it was read; of a slot, what stands there."""
-        if is_slot(root):
+        number = self._of.get(root)  # `known`, without the call: nothing is asked as often
+        if number is not None and (page := self._pages.get(number >> SHIFT)) is not None:
+            found = page[number & MASK]
+            if found is not None:
+                return found
+        return self._unwritten(root)
+
+    def _unwritten(self, root: Root) -> Content:
+        """The content of an object to which nothing was written: what it is a part of says it."""
+        if root.__class__ is tuple and root[0] == "slot":  # no address
             return Content(any=self.at(root))
-        found = self.known(root)
-        if found is None:
-            owner = part_of(root, self.shape.inner)
-            mask = 0 if owner is None else self.now(owner[0]).read(owner[1]).mask
-            found = Content(base=mask) if mask else EMPTY
-        return found
+        owner = part_of(root, self.shape.inner)
+        mask = 0 if owner is None else self.now(owner[0]).read(owner[1]).mask
+        return Content(base=mask) if mask else EMPTY
 
     def of(self, root: Root) -> Content:
         """The content of an object, all of which is read."""
         found = self.now(root)
         tracker = self.shape.tracker
-        if tracker is not None and not is_slot(root):
+        if tracker is not None and (root.__class__ is int or not is_slot(root)):
             tracker.read(root, found)
         return found
 
@@ -111,7 +117,7 @@ class Standing(Store):
         """The content of an object, of which nothing but these slots is read."""
         found = self.now(root)
         tracker = self.shape.tracker
-        if tracker is not None and not is_slot(root):
+        if tracker is not None and (root.__class__ is int or not is_slot(root)):
             for key in keys:
                 tracker.read_slot(root, key, found)
         return found

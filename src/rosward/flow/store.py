@@ -18,10 +18,12 @@ from typing import Final, final
 
 from rosward.flow.content import EMPTY, Content, both
 from rosward.flow.marks import Mark, Root, name_of
+from rosward.records import NamedTuple
 
 Page = list[Content | None]
 
 SHIFT: Final = 5
+"""So many bits of the number of an object say where on a page it stands."""
 MASK: Final = (1 << SHIFT) - 1
 _OFFSETS: Final = range(MASK + 1)
 _BLANK: Final[tuple[None, ...]] = (None,) * (MASK + 1)
@@ -30,6 +32,14 @@ _MOST_KNOWN: Final = 1_000
 """Of so many sets of objects it is kept which of them are one."""
 MELTED: Final = "melted"
 """The first word of what stands for many objects."""
+
+
+class Covered(NamedTuple):
+    """A content that covers another one, from which it differs under these keys, or (None) anywhere."""
+
+    ours: Content
+    theirs: Content
+    keys: set[object] | None
 
 
 @final
@@ -60,7 +70,7 @@ class Numbers:
         self.merges: list[tuple[int, tuple[int, ...]]] = []  # each with the numbers that it took the place of
         self.held: set[Root] = set()  # what was ever written into an object
         self.based: set[Root] = set()  # what ever came from outside
-        self._covered: dict[tuple[int, int], tuple[Content, Content]] = {}
+        self._covered: dict[tuple[int, int], Covered] = {}
         self._apart: dict[frozenset[Root], frozenset[Root]] = {}
         self._named: dict[tuple[int, str], Root] = {}  # the one that stands for others of the same name
         self._canonical: dict[frozenset[Root], frozenset[Root]] = {}
@@ -146,7 +156,7 @@ class Numbers:
         return Content(content.base, Mark(whole.mask, self.canonical(whole.roots)), content.size)
 
     @property
-    def covered(self) -> dict[tuple[int, int], tuple[Content, Content]]:
+    def covered(self) -> dict[tuple[int, int], Covered]:
         """Pairs of contents, by id(), of which the first is known to cover the second; forgotten where they become too many."""
         if len(self._covered) > _MOST_COVERED:
             self._covered.clear()

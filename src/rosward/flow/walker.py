@@ -365,6 +365,7 @@ def _merged(several: list[Activation]) -> Activation:
     first = several[0]
     found = Activation(first.code, -1, first.cells, first.module)
     for each in several:
+        found.names |= each.names
         for number, seen in each.seen.items():
             found.of(number).absorb(seen)
     return found

@@ -74,7 +74,8 @@ def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None
 def _enter_turn(
     machine: Engine, op: ops.ForEach, frame: Frame, context: int, number: int, source: Value, ahead: Items
 ) -> None:
-    """A turn begins: what it makes is told apart from what others make."""
+    """A turn begins, for which the loop asks: what it makes is told apart from what others make."""
+    frame.op, frame.sequence = op, 0
     frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
     if frame.yielded is not None:
         rest = UNBOUND if ahead.rest is None else ahead.rest
@@ -259,7 +260,7 @@ def iterate(machine: Engine, value: Value) -> Items:
         if obj.kind == "instance":
             return _iterate_instance(machine, value)
     if value.__class__ is Class and classes.is_enum(machine, value):
-        return machine.iterate(machine.native("enum.iterate", (value,)))
+        return machine.iterate(machine.call_native("enum.iterate", (value,)))
     of_class = metaclasses.method(machine, value, "__iter__") if value.__class__ is Class else None
     if of_class is not None:
         return machine.iterate(machine.call(of_class, ()))
