@@ -214,7 +214,7 @@ class Standing(Store):
             tracker.read_each(looked.further)
             tracker.read_each(looked.objects)
             looked.tracker = tracker
-            self.shape.spent += 1
+            self.shape.spent += 1 + (len(looked.objects) >> 4)
         return looked
 
     def _fresh(self, roots: frozenset[Root]) -> Looked | None:
@@ -309,6 +309,7 @@ class Standing(Store):
     def _grown(self, looked: Looked, written: frozenset[Root]) -> Looked | None:
         """What a look finds now that these were written; None where less stands in one of them."""
         found = looked.copy()
+        self.shape.spent += len(found.objects) >> 4
         more: set[Root] = set()
         for root in self._told_by(looked, written):
             before, here = looked.objects[root], self.now(root)
