@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from rosward.engine.budget import Budget
+from rosward.flow import cpp_outside
 from rosward.pipeline import extract
 from rosward.ros.flows import STRENGTHS, NodeFlows
 
@@ -53,6 +54,30 @@ def test_what_flows(path: Path) -> None:
     )
     assert lines == expected(path)
     assert all(each.complete for each in found)
+
+
+def told(text: str) -> set[tuple[str, int, str]]:
+    """What one output holds, each name in its way and in all that are weaker."""
+    sink, _, rest = text.partition(": ")
+    several = [each.split() for each in rest.split("; ") if each]
+    return {
+        (sink, weaker, name)
+        for way, *names in several
+        for name in names
+        for weaker in range(STRENGTHS.index(way), len(STRENGTHS))
+    }
+
+
+@pytest.mark.parametrize("path", PROGRAMS, ids=lambda p: p.stem)
+def test_nothing_is_missing_where_all_that_libraries_made_is_one(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cpp_outside, "_FEW", 0)
+    found = {
+        each
+        for node in flows(path)
+        for sink in node.sinks
+        for each in told(line(str(sink.sink), {strength: list(map(str, sink.of(strength))) for strength in STRENGTHS}))
+    }
+    assert {each for text in expected(path) for each in told(text)} <= found
 
 
 def test_there_are_programs() -> None:

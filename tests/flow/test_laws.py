@@ -9,10 +9,12 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any, Final
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from rosward.effects.flows import Source
+from rosward.flow import standing
 from rosward.flow.content import EMPTY, Content, both
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted, triggering
 from rosward.flow.memory import Memory
@@ -125,13 +127,14 @@ def test_the_whole_covers_each_slot(content: Content, key: Any) -> None:
 # Memory
 
 
-def memory() -> Memory:
+def memory(*, merges_objects: bool = True) -> Memory:
     """One object that is surely one, and one that stands for several."""
     shape: Any = SimpleNamespace(
         many={MANY},
         inner={},
-        numbers=Numbers(),
+        numbers=Numbers(bool),
         few=48,
+        merges_objects=merges_objects,
         tracker=None,
         trail=None,
         spent=0,
@@ -234,27 +237,36 @@ acts = st.tuples(
 )
 
 
-@given(st.lists(acts, max_size=12))
-def test_a_look_that_is_kept_finds_what_a_new_one_finds(several: list[Any]) -> None:
-    here = memory()
+@pytest.mark.parametrize("merges_objects", [True, False], ids=["Python", "C++"])
+@pytest.mark.parametrize("worth", [1, 1000], ids=["continued", "anew"])
+@given(several=st.lists(acts, max_size=12))
+def test_a_look_that_is_kept_finds_what_a_new_one_finds(merges_objects: bool, worth: int, several: list[Any]) -> None:
+    """Also where looks go on from what is known of some of the objects."""
+    here = memory(merges_objects=merges_objects)
     there = Memory(here.shape)
-    for act, root, key, mark, looked in several:
-        if act == "write":
-            here.write(frozenset((root,)), key, mark)
-        elif act == "add":
-            here.write_any([root], mark, mark.mask)
-        elif act == "fork":
-            there = here.copy()
-        elif act == "other":
-            here, there = there.current(), here
-        elif act == "merge":
-            here.merge({root, *looked})
-        else:
-            here.join(there)
-        fresh = Memory(here.shape)
-        fresh.replay([Written(root, None, content) for root, content in here.items()], set())
-        for each in (looked, frozenset((root,)), mark.roots):
-            assert here.deep(Mark(0, each)) == fresh.deep(Mark(0, each))
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(standing, "_WORTH", worth)
+        patched.setattr(standing, "_SHORT", worth)
+        for act, root, key, mark, looked in several:
+            if act == "write":
+                here.write(frozenset((root,)), key, mark)
+            elif act == "add":
+                here.write_any([root], mark, mark.mask)
+            elif act == "fork":
+                there = here.copy()
+            elif act == "other":
+                here, there = there.current(), here
+            elif act == "merge":
+                here.merge({root, *looked})
+            else:
+                here.join(there)
+                here.take_looks(there)
+            fresh = Memory(here.shape)
+            fresh.replay([Written(root, None, content) for root, content in here.items()], set())
+            for each in (looked, frozenset((root,)), mark.roots):
+                assert here.deep(Mark(0, each)) == fresh.deep(Mark(0, each))
+                one = here.numbers.one
+                assert set(map(one, here.reached(Mark(0, each)))) == set(map(one, fresh.reached(Mark(0, each))))
 
 
 def test_a_look_through_a_part_is_forgotten_where_its_owner_is_one_of_several_that_are_merged() -> None:

@@ -68,6 +68,11 @@ class Content:
             found = self._whole = Mark(mask, roots)
         return found
 
+    def within(self, other: Content) -> bool:
+        """Whether all that it leads to, and depends on, is in another one, too."""
+        ours, theirs = self.whole, other.whole
+        return not (ours.mask | self.size) & ~(theirs.mask | other.size) and ours.roots <= theirs.roots
+
     def with_slots(self, slots: Mapping[object, Mark]) -> Content:
         """The same with other slots."""
         return Content(self.base, self.any, self.size, slots)

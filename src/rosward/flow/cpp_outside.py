@@ -19,7 +19,7 @@ from rosward.flow.cpp_values import (
     slots,
     value,
 )
-from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES
+from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES, STREAMS
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.outside import cleaned, out
 from rosward.flow.reading import arising
@@ -57,7 +57,7 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tup
             _log(walker, body, marks)
         brought |= library.perform(walker, name, whole.mask, body.pc)
         kind = stream(walker, near) if name in _WRITES else ""
-        kind = _STREAMS.get(name.rpartition(".")[0], kind)
+        kind = STREAMS.get(name.rpartition(".")[0], kind)
         if kind not in ("", "text"):
             out(walker, kind, whole.mask)
         if name.endswith(".reset"):  # what nobody holds any more runs no more
@@ -189,17 +189,18 @@ def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:
     out(walker, "log", mask)
 
 
+_FEW: Final = 12
+"""Of more objects, those that code nobody knows gets hold of are one, if libraries made them."""
 _WRITES: Final = frozenset(f"std.stringstream.{name}" for name in ("write", "put"))
 """How streams are written to but by `<<`."""
-_STREAMS: Final = {"std.cout": "stdout", "std.cerr": "stdout", "std.clog": "stdout", "std.wcout": "stdout"}
 
 
 def stream(walker: Walker, mark: Mark) -> str:
     """What kind of stream a value is; '' where it is none."""
     for root in mark.roots:
         if not isinstance(root, int):
-            if root[0] == "external" and root[1] in _STREAMS:
-                return _STREAMS[str(root[1])]
+            if root[0] == "external" and root[1] in STREAMS:
+                return STREAMS[str(root[1])]
             continue
         record = walker.shape.record(root)
         name = str(getattr(getattr(record, "cls", None), "name", ""))
@@ -240,4 +241,7 @@ def strange(
         return Mark(body.pc | given, frozenset((root,)))
     if not all(said.is_known and not said.changes for said in known):
         memory.write_any(reached, Mark(mask | given, behind), mask | given)
+        if len(reached) > _FEW:  # it may have written each into each
+            memory.merge(reached)
+            behind = walker.shape.numbers.canonical(behind)
     return Mark(mask | given, behind | {root})

@@ -25,26 +25,26 @@ _DEEPEST: Final = 6
 
 def nameless(mark: Mark) -> frozenset[Root]:
     """The objects that the interpretation does not know."""
-    return frozenset(r for r in mark.roots if not isinstance(r, int) and r[0] != "slot")
+    return frozenset([r for r in mark.roots if r.__class__ is not int and r[0] != "slot"])  # type: ignore[index]  # it is a tuple
 
 
 def slots(mark: Mark) -> frozenset[Root]:
     """The slots that a register leads to."""
-    return frozenset(r for r in mark.roots if is_slot(r))
+    return frozenset([r for r in mark.roots if r.__class__ is not int and r[0] == "slot"])  # type: ignore[index]  # it is a tuple
 
 
 def value(walker: Walker, mark: Mark) -> Mark:
     """The value of a register: what stands in the slots to which it leads."""
-    found = Mark(mask=mark.mask)
-    roots: set[Root] = set()
-    for root in mark.roots:
-        if is_slot(root):
-            at = walker.memory.at(root)
-            found = found.under(at.mask)
-            roots |= at.roots
-        else:
-            roots.add(root)
-    return Mark(found.mask, frozenset(roots))
+    places = slots(mark)
+    if not places:
+        return walker.memory.told(mark)
+    mask = mark.mask
+    roots = set(mark.roots - places)
+    for place in places:
+        at = walker.memory.at(place)
+        mask |= at.mask
+        roots |= at.roots
+    return walker.memory.told(Mark(mask, frozenset(roots)))
 
 
 def settled(walker: Walker, mark: Mark, seen: Seen, body: Body) -> Mark:

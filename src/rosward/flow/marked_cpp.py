@@ -78,6 +78,14 @@ NATIVES: Final[Mapping[str, FlowMark]] = {
 }
 """The marks of names that the models in code make up, and that C++ could not declare."""
 
+STREAMS: Final[Mapping[str, str]] = {
+    "std.cout": "stdout",
+    "std.cerr": "stdout",
+    "std.clog": "stdout",
+    "std.wcout": "stdout",
+}
+"""Where streams of the library lead, by their names."""
+
 
 def is_safe(name: str) -> bool:
     """Whether a model in code surely throws nothing."""

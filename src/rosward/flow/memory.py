@@ -52,7 +52,7 @@ class Memory(Standing):
             root, keys = self.numbers.roots[number], None
             content = both(self.of(root), self.numbers.melted(content))
         if self._looked:
-            self._forget_looks(root, content)
+            self._mind_looks(root, content)
         self._set(number, content)
         if self._met >= 0:
             self._since.add(number)
@@ -63,11 +63,17 @@ class Memory(Standing):
             before = self.log.get(root)
             self.log[root] = content if before is None else both(before, content)
 
-    def _forget_looks(self, root: Root, content: Content) -> None:
-        """What was found by looking through this object is out of date, unless the same stands in it."""
-        stale = [roots for roots, look in self._looked.items() if look.reads.get(root, content) != content]
-        if stale:
-            self._looked = {roots: look for roots, look in self._looked.items() if roots not in stale}
+    def _mind_looks(self, root: Root, content: Content) -> None:
+        """What was found by looking through this object has to take in what stands there; where that is less, it is of no use."""
+        within = [r for r, looked in self._looked.items() if root in looked.objects or root in looked.further]
+        if within:
+            before = self.known(root)
+            less = before is not None and not before.within(content)
+            for roots in within:
+                if less:
+                    del self._looked[roots]
+                else:
+                    self._looked[roots] = self._looked[roots].behind(root)
 
     def join(self, other: Memory) -> bool:
         """Cover another one, too; whether that changed anything."""

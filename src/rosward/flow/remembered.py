@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.ir.program import CPP, PYTHON
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -16,8 +17,8 @@ if TYPE_CHECKING:
     from rosward.flow.marks import Mark, Root
     from rosward.flow.tracker import Keys, Tracker
 
-MOST: Final = 6
-"""So many calls of one activation are remembered, the last ones."""
+MOST: Final = {PYTHON: 6, CPP: 2}
+"""So many calls of one activation are remembered, the last ones, by the language. In C++ each reads very much."""
 
 
 class Written(NamedTuple):
@@ -41,11 +42,33 @@ class Remembered(NamedTuple):
 
 @final
 class Looked:
-    """What a look through all that some roots lead to has found, and who knows already that it was read."""
+    """What a look through all that some roots lead to has found: the objects, and `further` those that say what stands in them.
 
-    __slots__ = ("mask", "reads", "tracker")
+    `changed`: those of them that were written since; `tracker`: who knows already that all of them were read.
+    """
 
-    def __init__(self, mask: int, reads: Layer, tracker: Tracker | None) -> None:
+    __slots__ = ("changed", "further", "mask", "objects", "tracker")
+
+    def __init__(
+        self,
+        mask: int,
+        objects: Layer,
+        further: Layer,
+        tracker: Tracker | None,
+        changed: frozenset[Root] = frozenset(),
+    ) -> None:
         self.mask = mask
-        self.reads = reads
+        self.objects = objects
+        self.further = further
         self.tracker = tracker
+        self.changed = changed
+
+    def copy(self) -> Looked:
+        """An independent one, to add to."""
+        return Looked(self.mask, self.objects.copy(), self.further.copy(), self.tracker)
+
+    def behind(self, root: Root) -> Looked:
+        """The same, once an object was written."""
+        if root in self.changed:
+            return self
+        return Looked(self.mask, self.objects, self.further, self.tracker, self.changed | {root})

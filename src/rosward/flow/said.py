@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, final
 
 from rosward.engine.cpp.linked import Linked
 from rosward.findings import Finding
-from rosward.flow.marked_cpp import NATIVES
+from rosward.flow.marked_cpp import NATIVES, STREAMS
 from rosward.models.flow_marks import NO_MARK, FlowMark, mark_of, wrong
 
 if TYPE_CHECKING:
@@ -24,6 +24,12 @@ def marks_of(machine: Interpreter) -> Callable[[str], FlowMark]:
     """The marks of all functions that a process may call, by dotted names."""
     linked = machine.linked
     return InHeaders(linked.symbols.marked).of if isinstance(linked, Linked) else machine.library.marks.of
+
+
+def told_by(machine: Interpreter) -> Callable[[str], bool]:
+    """Whether marks, or the models, say something of what has this dotted name, or of its parts; in Python nobody knows that."""
+    linked = machine.linked
+    return InHeaders(linked.symbols.marked).tells if isinstance(linked, Linked) else bool
 
 
 def wrong_marks(machine: Interpreter) -> Iterator[Finding]:
@@ -44,6 +50,8 @@ class InHeaders:
     def __init__(self, marked: Mapping[str, Marked]) -> None:
         self._marked = marked
         self._known: dict[str, FlowMark] = dict(NATIVES)
+        names = [name.split(".") for name in (*marked, *NATIVES, *STREAMS)]
+        self._prefixes = {".".join(name[: n + 1]) for name in names for n in range(len(name))}
 
     def of(self, name: str) -> FlowMark:
         """Those of a function, else of the class or namespace around it."""
@@ -51,6 +59,10 @@ class InHeaders:
         if found is None:
             found = self._known[name] = self._of(name)
         return found
+
+    def tells(self, name: str) -> bool:
+        """Whether a mark is about this name, about a part of it, or about what it is a part of."""
+        return name in self._prefixes or self.of(name) is not NO_MARK
 
     def _of(self, name: str) -> FlowMark:
         own = self._marked.get(name)

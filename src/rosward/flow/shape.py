@@ -12,7 +12,7 @@ from rosward.domain.values import NONE, Class, Ref
 from rosward.effects.flows import Source
 from rosward.engine.seen import Activation, refs_of
 from rosward.flow.marks import Root
-from rosward.flow.said import marks_of
+from rosward.flow.said import marks_of, told_by
 from rosward.flow.store import Numbers
 from rosward.flow.tracker import Tracker
 from rosward.flow.trail import Trail
@@ -56,7 +56,7 @@ class Shape:
 
     def __init__(self, machine: Interpreter) -> None:
         self._machine = machine
-        self.numbers = Numbers()
+        self.numbers = Numbers(told_by(machine))
         self._few = _FEW[0][1]
         self._until: float = _FEW[0][0]
         self.spent = 0  # operations and objects that were looked at
@@ -77,6 +77,9 @@ class Shape:
             self._parts.setdefault(owner, []).append(address)
         self._inside = {owner: address for address, owner in self.inner.items()}
         self._named: dict[str, list[tuple[int, str]]] | None = None
+        self.merges_objects = (
+            machine.linked is None
+        )  # in C++ parts have their place in a whole: only what libraries made is merged
         self._said = marks_of(machine)
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
@@ -87,8 +90,8 @@ class Shape:
 
     @property
     def few(self) -> int:
-        """So many objects that one value may be are told apart; the more was walked through, the fewer. In C++ parts have a place in the whole."""
-        if self._machine.linked is not None:
+        """So many objects that one value may be are told apart; the more was walked through, the fewer; where they are not merged, all."""
+        if not self.merges_objects:
             return _ALL
         if self.spent >= self._until:
             self._until, self._few = next(step for step in _FEW if self.spent < step[0])

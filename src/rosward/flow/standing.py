@@ -7,7 +7,8 @@ another object (`msg.header`) has the base of that attribute until it is written
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
+from itertools import islice
 from typing import TYPE_CHECKING, Final
 
 from rosward.flow.content import EMPTY, Content, Layer, TooLongError
@@ -21,11 +22,17 @@ if TYPE_CHECKING:
 
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
-_MOST_LOOKS: Final = 64
+_SHORT: Final = 3
+_WORTH: Final = 8
+"""What was found by looking through fewer objects is not kept for others."""
+_MOST_LOOKS: Final = 12
 _DEPTH: Final = 8
 """Where a value leads to so many times more objects than it may be itself, these are one from then on."""
 _APART: Final = frozenset(("made", "tuple", "of", "arrived", "external", MELTED))
 """What without an address may be one with others."""
+_OF_LIBRARIES: Final = frozenset(("made", "of", "arrived", "external", MELTED))
+"""In C++ none but these."""
+_PARTS: Final = frozenset(("slot", "of"))
 _KINDS: Final = frozenset(("instance", "list", "dict", "set"))
 """And which objects with one."""
 
@@ -78,8 +85,8 @@ class Standing(Store):
 
     def _may_merge(self, root: Root) -> bool:
         if isinstance(root, int):
-            return root not in self.shape.nodes and self.shape.kind(root) in _KINDS
-        return root[0] in _APART
+            return self.shape.merges_objects and root not in self.shape.nodes and self.shape.kind(root) in _KINDS
+        return root[0] in (_APART if self.shape.merges_objects else _OF_LIBRARIES)
 
     def now(self, root: Root) -> Content:
         """The content of an object, about which nobody is told that it was read; of a slot, what stands there."""
@@ -143,15 +150,18 @@ class Standing(Store):
 
     def told(self, mark: Mark) -> Mark:
         """The same; where it leads to very many objects, with one for all that are merged."""
-        if len(mark.roots) <= self.shape.few:
+        roots = mark.roots
+        if len(roots) > self.shape.few:
+            self.shape.spent += len(roots) >> 3
+        elif self.shape.merges_objects or len(roots) < _SHORT or not self.numbers.merged:
             return mark
-        self.shape.spent += len(mark.roots) >> 3
-        return Mark(mark.mask, self.numbers.canonical(mark.roots))
+        one = self.numbers.canonical(roots)
+        return mark if one is roots else Mark(mark.mask, one)
 
     def base(self, roots: frozenset[Root]) -> int:
         """What stands in objects that came from outside, as far as one look tells."""
         found = 0
-        for root in self.numbers.apart(roots):
+        for root in roots & self.numbers.based if len(roots) > 1 else roots:
             content = self.known(root)
             if content is not None:
                 found |= content.base
@@ -189,19 +199,34 @@ class Standing(Store):
             found = self._of_leaf(*roots)
             if found is not None:
                 return mark.mask | found
+        return mark.mask | self._through(roots).mask
+
+    def _through(self, roots: frozenset[Root]) -> Looked:
+        """What a look through all that these lead to has found, perhaps before."""
         tracker = self.shape.tracker
-        looked = self._looked.get(roots)
+        looked = self._fresh(roots)
         if looked is None:
             looked = self._look(roots)
             if len(self._looked) >= _MOST_LOOKS:
-                self._looked = {}
+                self._looked = dict(islice(self._looked.items(), _MOST_LOOKS >> 1, None))
             self._looked[roots] = looked
         elif tracker is not None and looked.tracker is not tracker:
-            for root, content in looked.reads.items():
-                tracker.read(root, content)
+            tracker.read_each(looked.further)
+            tracker.read_each(looked.objects)
             looked.tracker = tracker
-            self.shape.spent += 1
-        return mark.mask | looked.mask
+            self.shape.spent += 1 + (len(looked.objects) >> 4)
+        return looked
+
+    def _fresh(self, roots: frozenset[Root]) -> Looked | None:
+        """What a look has found, with what was written since; None where nobody looked, or there is less now."""
+        looked = self._looked.get(roots)
+        if looked is None or not looked.changed:
+            return looked
+        del self._looked[roots]
+        grown = self._grown(looked, looked.changed)
+        if grown is not None:
+            self._looked[roots] = grown
+        return grown
 
     def _of_leaf(self, root: Root) -> int | None:
         """What stands in an object that leads nowhere; None where it is none."""
@@ -223,55 +248,125 @@ class Standing(Store):
 
     def _look(self, roots: frozenset[Root]) -> Looked:
         """All that these lead to."""
-        mask = 0
-        seen: Layer = {}
-        further: Layer = {}
-        canonical, of, merged = self.numbers.canonical, self._of, self.numbers.merged
-        work = set(canonical(roots))
-        known = {id(roots)}
-        met: set[int] = set()  # what stands for several
-        repeated = 0
-        nodes = self.shape.nodes
+        found = Looked(0, {}, {}, self.shape.tracker)
+        self._look_on(found, set(self.numbers.canonical(roots)))
+        if len(found.objects) > self.shape.few * _DEPTH:
+            self.merge(found.objects)
+        return found
+
+    def _look_on(self, looked: Looked, work: set[Root]) -> None:
+        """What these lead to is looked through, too. What is known of some of them is taken over."""
+        mask, seen, further = 0, looked.objects, looked.further
+        numbers, pages, inner = self.numbers, self._pages, self.shape.inner
+        canonical, of, merged, nodes = numbers.canonical, self._of, numbers.merged, self.shape.nodes
+        known: set[int] = set()
+        found: Layer = {}
+        earlier = [roots for roots, each in self._looked.items() if len(each.objects) >= _WORTH]
         while work:
+            if earlier and len(work) >= _SHORT:
+                reach = work | seen.keys()
+                for roots in earlier:
+                    if roots <= reach and not roots <= seen.keys():
+                        each = self._fresh(roots)
+                        if each is not None:
+                            seen.update(each.objects)
+                            found.update(each.objects)
+                            further.update(each.further)
+                            mask |= each.mask
+                work -= seen.keys()
+            more: set[Root] = set()
+            for root in work:
+                number = of.get(root)
+                content: Content | None = None
+                if number is not None:
+                    if number in merged:
+                        root = numbers.roots[number]  # noqa: PLW2901
+                        if root in seen:
+                            continue
+                    page = pages.get(number >> SHIFT)
+                    content = None if page is None else page[number & MASK]
+                if content is None:
+                    for other in map(numbers.one, behind(root, inner)):
+                        further[other] = self.now(other)
+                    content = self.now(root)
+                seen[root] = found[root] = content
+                whole = content.whole
+                mask |= whole.mask | content.size
+                if whole.roots and id(whole.roots) not in known:  # many objects share what they lead to
+                    known.add(id(whole.roots))
+                    more |= canonical(whole.roots) - nodes
+                more.update(self._holds(root))
+            self.shape.spent += len(work)
             if len(seen) > _MOST:
                 raise TooLongError
-            root = work.pop()
-            number = of.get(root)
-            if number in merged:
-                if number in met:
-                    repeated += 1
-                    continue
-                met.add(number)
-                root = self.numbers.one(root)
-            content = seen[root] = self.of(root)
-            if self.known(root) is None:
-                for each in map(self.numbers.one, behind(root, self.shape.inner)):
-                    further[each] = self.of(each)
-            whole = content.whole
-            mask |= whole.mask | content.size
-            if whole.roots and id(whole.roots) not in known:  # many objects share what they lead to
-                known.add(id(whole.roots))
-                work |= canonical(whole.roots) - seen.keys() - nodes
-            work.update(r for r in self._holds(root) if r not in seen)
-        self.shape.spent += len(seen) + (repeated >> 3)
-        if len(seen) > self.shape.few * _DEPTH:
-            self.merge(seen)
-        return Looked(mask, {**further, **seen}, self.shape.tracker)
+            work = more - seen.keys()
+        looked.mask |= mask
+        tracker = looked.tracker
+        if tracker is not None and tracker is self.shape.tracker:
+            tracker.read_each(further)
+            tracker.read_each(found)
 
-    def reached(self, mark: Mark) -> Iterator[Root]:
+    def _grown(self, looked: Looked, written: frozenset[Root]) -> Looked | None:
+        """What a look finds now that these were written; None where less stands in one of them."""
+        found = looked.copy()
+        self.shape.spent += len(found.objects) >> 4
+        more: set[Root] = set()
+        for root in self._told_by(looked, written):
+            before, here = looked.objects[root], self.now(root)
+            if before is here:
+                continue
+            if not before.within(here):
+                return None
+            whole = here.whole
+            found.objects[root] = here
+            found.mask |= whole.mask | here.size
+            more |= whole.roots
+        for root in written & looked.further.keys():
+            found.further[root] = self.now(root)
+        if more:
+            self._look_on(found, set(self.numbers.canonical(frozenset(more)) - found.objects.keys() - self.shape.nodes))
+        return found
+
+    def _told_by(self, looked: Looked, written: frozenset[Root]) -> Iterator[Root]:
+        """The objects of a look that may have another content where these were written."""
+        yield from written & looked.objects.keys()
+        if not looked.further.keys().isdisjoint(written):
+            inner, one = self.shape.inner, self.numbers.one
+            for root in looked.objects:
+                if root in inner if isinstance(root, int) else root[0] in _PARTS:
+                    if self.known(root) is None and not written.isdisjoint(map(one, behind(root, inner))):
+                        yield root
+
+    def take_looks(self, other: Standing) -> None:
+        """What was found by looking through another one, which is covered here, is of use here, too."""
+        for roots, looked in other.current()._looked.items():
+            if roots in self._looked or len(looked.objects) < _WORTH or len(self._looked) >= _MOST_LOOKS:
+                continue
+            known = {**looked.further, **looked.objects}
+            changed = [root for root, content in known.items() if self.known(root) not in (None, content)]
+            self._looked[roots] = Looked(looked.mask, looked.objects, looked.further, None, frozenset(changed))
+
+    def reached(self, mark: Mark) -> Collection[Root]:
         """The objects that a value leads to, but for nodes that it does not lead to at once; of those that are merged, one."""
-        canonical, of, merged = self.numbers.canonical, self._of, self.numbers.merged
-        seen: set[object] = set()
-        work = list(mark.roots)
+        roots = mark.roots
+        if not self.numbers.merged or not self.shape.merges_objects:
+            return self._through(roots).objects if roots else ()
+        canonical, of, merged, nodes = self.numbers.canonical, self._of, self.numbers.merged, self.shape.nodes
+        found: dict[object, Root] = {}
+        known = {id(roots)}
+        work = list(roots)
         while work:
             root = work.pop()
             number = of.get(root)
             here = ("all", number) if number in merged else root
-            if here in seen:
+            if here in found:
                 continue
-            if len(seen) > _MOST:
+            if len(found) > _MOST:
                 raise TooLongError
-            seen.add(here)
-            yield root
-            work += canonical(self.of(root).whole.roots) - self.shape.nodes
+            found[here] = root
+            further = self.of(root).whole.roots
+            if id(further) not in known:
+                known.add(id(further))
+                work += canonical(further) - nodes
             work += self._holds(root)
+        return found.values()

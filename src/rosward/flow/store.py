@@ -11,7 +11,7 @@ have one number, and one content.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import compress
 from operator import is_not
 from typing import Final, final
@@ -28,6 +28,8 @@ MASK: Final = (1 << SHIFT) - 1
 _OFFSETS: Final = range(MASK + 1)
 _BLANK: Final[tuple[None, ...]] = (None,) * (MASK + 1)
 _MOST_COVERED: Final = 30_000
+_MOST_KNOWN: Final = 1_000
+"""Of so many sets of objects it is kept which of them are one."""
 MELTED: Final = "melted"
 """The first word of what stands for many objects."""
 
@@ -44,15 +46,30 @@ class Covered(NamedTuple):
 class Numbers:
     """The numbers of the objects of one walk."""
 
-    __slots__ = ("_apart", "_canonical", "_covered", "_named", "held", "led", "merged", "merges", "of", "roots")
+    __slots__ = (
+        "_apart",
+        "_canonical",
+        "_covered",
+        "_named",
+        "_tells",
+        "based",
+        "held",
+        "led",
+        "merged",
+        "merges",
+        "of",
+        "roots",
+    )
 
-    def __init__(self) -> None:
+    def __init__(self, tells: Callable[[str], bool]) -> None:
+        self._tells = tells  # whether more is known of something of a library by its name
         self.of: dict[Root, int] = {}
         self.roots: list[Root] = []  # by number
         self.merged: dict[int, list[Root]] = {}  # the numbers that stand for several objects, with these
         self.led: dict[int, frozenset[Root]] = {}  # where such an object leads whatever was written to it
         self.merges: list[tuple[int, tuple[int, ...]]] = []  # each with the numbers that it took the place of
         self.held: set[Root] = set()  # what was ever written into an object
+        self.based: set[Root] = set()  # what ever came from outside
         self._covered: dict[tuple[int, int], Covered] = {}
         self._apart: dict[frozenset[Root], frozenset[Root]] = {}
         self._named: dict[tuple[int, str], Root] = {}  # the one that stands for others of the same name
@@ -81,6 +98,8 @@ class Numbers:
                 led |= self.led.pop(number, frozenset())
                 self.merged[new] += several
                 self.of.update(dict.fromkeys(several, new))
+        if not self.based.isdisjoint(self.merged[new]):
+            self.based.update(self.merged[new])
         self._apart.clear()
         self._canonical.clear()
         self.led[new] = self.canonical(led | self.led.get(new, frozenset()))
@@ -92,11 +111,13 @@ class Numbers:
         return root if number is None or number not in self.merged else self.roots[number]
 
     def canonical(self, roots: frozenset[Root]) -> frozenset[Root]:
-        """The same objects, with one for all that are merged; of things of libraries, one for each name."""
+        """The same objects, with one for all that are merged; of things of libraries, one for each name that tells something."""
         if not self.merged:
             return roots
         found = self._canonical.get(roots)
         if found is None:
+            if len(self._canonical) >= _MOST_KNOWN:
+                self._canonical.clear()
             of, merged = self.of, self.merged
             ones: dict[object, Root] = {}
             for root in roots:
@@ -104,7 +125,8 @@ class Numbers:
                 if number is None or number not in merged:
                     ones[root] = root
                 elif not isinstance(root, int) and root[0] != "of" and (name := name_of(root)):
-                    ones[number, name] = self._named.setdefault((number, name), root)
+                    called = name if self._tells(name) else "*"
+                    ones[number, called] = self._named.setdefault((number, called), root)
                 else:
                     ones[number, ""] = self.roots[number]
             found = self._canonical[roots] = frozenset(ones.values())
@@ -116,6 +138,8 @@ class Numbers:
             return roots
         found = self._apart.get(roots)
         if found is None:
+            if len(self._apart) >= _MOST_KNOWN:
+                self._apart.clear()
             of, merged = self.of, self.merged
             one: dict[object, Root] = {}
             for root in roots:
@@ -179,6 +203,9 @@ class Store:
             self._own.add(key)
         assert page is not None
         page[number & MASK] = content
+        if content is not None and content.base:
+            numbers = self.numbers
+            numbers.based.update(numbers.merged.get(number) or (numbers.roots[number],))
 
     def items(self) -> Iterator[tuple[Root, Content]]:
         """All objects of which something was written."""

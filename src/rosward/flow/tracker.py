@@ -13,11 +13,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.flow.marks import is_slot
 from rosward.flow.sinks import DEEP
 
 if TYPE_CHECKING:
     from rosward.effects.flows import Sink
-    from rosward.flow.content import Content
+    from rosward.flow.content import Content, Layer
     from rosward.flow.marks import Root
     from rosward.flow.sinks import Chain
     from rosward.flow.store import Store
@@ -55,6 +56,19 @@ class Tracker:
             self.reads[root] = None
         elif root in self._first and self.wrote.get(root, _NO_KEYS) is not None:
             self.reads[root] = None
+
+    def read_each(self, contents: Layer) -> None:
+        """All of several objects is read; of slots, what they are slots of is told besides."""
+        own, first, reads, wrote = self._own, self._first, self.reads, self.wrote
+        for root, content in contents.items():
+            if is_slot(root):
+                continue
+            if id(content) not in own:
+                if root not in first:
+                    first[root] = content
+                reads[root] = None
+            elif root in first and wrote.get(root, _NO_KEYS) is not None:
+                reads[root] = None
 
     def read_slot(self, root: Root, key: object, content: Content) -> None:
         """One slot of an object is read."""

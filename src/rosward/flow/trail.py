@@ -13,6 +13,7 @@ For each callback it is noted where each source is met first, and where it is ke
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import chain
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.flow.marks import numbers
@@ -33,6 +34,10 @@ class _Met(NamedTuple):
     key: object
 
 
+_Kept = tuple[list[tuple[object, _Met]], dict[object, list[tuple[object, _Met]]]]
+"""In which callbacks something is kept: all of them, and by the name under which."""
+
+
 @final
 class Trail:
     """What is noted in one process. `event` tells the callback that runs from others."""
@@ -46,6 +51,7 @@ class Trail:
         self._kept: dict[int, list[tuple[object, _Met]]] = {}
         self._sent: dict[Sink, dict[object, int]] = {}
         self._keeping: dict[tuple[object, object], int] = {}
+        self._grouped: dict[tuple[int, Source], tuple[_Kept, _Kept]] = {}
         self._behind: dict[tuple[object, int], tuple[Place | None, ...]] = {}  # once the walk has come to its end
 
     def begin(self, event: object, place: Place | None) -> None:
@@ -118,13 +124,22 @@ class Trail:
         self, number: int, seen: set[object], key: object, source: Source, arriving: dict[object, tuple[Source, ...]]
     ) -> tuple[object, _Met] | None:
         """The callback that kept it: one in which it arrives, under the same name, sooner than another."""
-        best: tuple[tuple[bool, bool], object, _Met] | None = None
-        for event, met in self._kept.get(number, ()):
-            if event not in seen:
-                rank = (source not in arriving.get(event, ()), met.key != key)
-                if best is None or rank < best[0]:
-                    best = rank, event, met
-        return None if best is None else best[1:]
+        for kept, by_key in self._keepers(number, source, arriving):
+            for found in chain(by_key.get(key, ()), kept):
+                if found[0] not in seen:
+                    return found
+        return None
+
+    def _keepers(self, number: int, source: Source, arriving: dict[object, tuple[Source, ...]]) -> tuple[_Kept, _Kept]:
+        """The callbacks that kept something: those in which it arrives, and others."""
+        found = self._grouped.get((number, source))
+        if found is None:
+            found = self._grouped[number, source] = ([], {}), ([], {})
+            for event, met in self._kept.get(number, ()):
+                kept, by_key = found[source not in arriving.get(event, ())]
+                kept.append((event, met))
+                by_key.setdefault(met.key, []).append((event, met))
+        return found
 
 
 def _once(*places: Place | None) -> tuple[Place, ...]:

@@ -233,6 +233,7 @@ class Walker:
         if self.beside.join(self.memory):
             self.changed = True
             self._beside += 1
+        self.beside.take_looks(self.memory)
 
     def source_here(self, kind: str) -> Source:
         """What arrives here, of that kind: at the object of whose method this runs."""
@@ -306,7 +307,7 @@ class Walker:
             self.attempts[-1].mask |= before
         if not tracker.open:
             tracker.ended()
-            del earlier[MOST - 1 :]
+            del earlier[MOST[activation.code.language] - 1 :]
             earlier.insert(0, Remembered(given, tracker, self.memory.left(tracker), result, raising, beside))
         return result
 
