@@ -51,6 +51,7 @@ class Numbers:
         "_canonical",
         "_covered",
         "_named",
+        "_ranks",
         "_tells",
         "based",
         "held",
@@ -74,6 +75,14 @@ class Numbers:
         self._apart: dict[frozenset[Root], frozenset[Root]] = {}
         self._named: dict[tuple[int, str], Root] = {}  # the one that stands for others of the same name
         self._canonical: dict[frozenset[Root], frozenset[Root]] = {}
+        self._ranks: dict[Root, str] = {}
+
+    def _rank(self, root: Root) -> str:
+        """An order of objects that is the same in each run, which that of sets is not: first those with an address."""
+        found = self._ranks.get(root)
+        if found is None:
+            found = self._ranks[root] = f" {root:020}" if isinstance(root, int) else f"{root}"
+        return found
 
     def number(self, root: Root) -> int:
         """The number of an object, which it has from now on."""
@@ -85,7 +94,7 @@ class Numbers:
 
     def merge(self, members: Iterable[Root], led: frozenset[Root]) -> None:
         """Several objects are one from now on."""
-        taken = dict.fromkeys(self.number(root) for root in members)
+        taken = dict.fromkeys(self.number(root) for root in sorted(members, key=self._rank))
         known = [number for number in taken if number in self.merged]
         if known:  # what stood for most of them stands for all
             new = max(known, key=lambda number: len(self.merged[number]))
@@ -118,18 +127,23 @@ class Numbers:
         if found is None:
             if len(self._canonical) >= _MOST_KNOWN:
                 self._canonical.clear()
-            of, merged = self.of, self.merged
+            of, merged, named = self.of, self.merged, self._named
             ones: dict[object, Root] = {}
+            names: dict[tuple[int, str], Root] = {}  # such that were not met before
             for root in roots:
                 number = of.get(root)
                 if number is None or number not in merged:
                     ones[root] = root
                 elif not isinstance(root, int) and root[0] != "of" and (name := name_of(root)):
-                    called = name if self._tells(name) else "*"
-                    ones[number, called] = self._named.setdefault((number, called), root)
+                    key = (number, name if self._tells(name) else "*")
+                    if key in named:
+                        ones[key] = named[key]
+                    else:
+                        names[key] = min(root, names.get(key, root), key=self._rank)
                 else:
                     ones[number, ""] = self.roots[number]
-            found = self._canonical[roots] = frozenset(ones.values())
+            named.update(names)
+            found = self._canonical[roots] = frozenset((*ones.values(), *names.values()))
         return found
 
     def apart(self, roots: frozenset[Root]) -> frozenset[Root]:
@@ -145,8 +159,7 @@ class Numbers:
             for root in roots:
                 number = of.get(root)
                 here = number if number in merged else root
-                if here not in one or isinstance(root, int):
-                    one[here] = root
+                one[here] = min(root, one.get(here, root), key=self._rank)
             found = self._apart[roots] = roots if len(one) == len(roots) else frozenset(one.values())
         return found
 
