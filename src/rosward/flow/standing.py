@@ -214,7 +214,7 @@ class Standing(Store):
             tracker.read_each(looked.further)
             tracker.read_each(looked.objects)
             looked.tracker = tracker
-            self.shape.spent += 1 + (len(looked.objects) >> 4)
+            self.shape.spent += 1
         return looked
 
     def _fresh(self, roots: frozenset[Root]) -> Looked | None:
@@ -275,6 +275,7 @@ class Standing(Store):
                             mask |= each.mask
                 work -= seen.keys()
             more: set[Root] = set()
+            before = len(found)
             for root in work:
                 number = of.get(root)
                 content: Content | None = None
@@ -296,7 +297,8 @@ class Standing(Store):
                     known.add(id(whole.roots))
                     more |= canonical(whole.roots) - nodes
                 more.update(self._holds(root))
-            self.shape.spent += len(work)
+            several = len(found) - before  # of those that are one, most cost little
+            self.shape.spent += several + ((len(work) - several) >> 3)
             if len(seen) > _MOST:
                 raise TooLongError
             work = more - seen.keys()
@@ -309,7 +311,7 @@ class Standing(Store):
     def _grown(self, looked: Looked, written: frozenset[Root]) -> Looked | None:
         """What a look finds now that these were written; None where less stands in one of them."""
         found = looked.copy()
-        self.shape.spent += len(found.objects) >> 4
+        self.shape.spent += 1
         more: set[Root] = set()
         for root in self._told_by(looked, written):
             before, here = looked.objects[root], self.now(root)
