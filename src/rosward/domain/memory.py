@@ -162,7 +162,8 @@ class Heap:
             if theirs is not None and before.get(number) is theirs:
                 continue
             if number in on_ground:
-                ours, theirs = self._grounded(number, ours, theirs), self._grounded(number, theirs, ours)
+                here, there = self._grounded(number, ours, theirs), self._grounded(number, theirs, ours)
+                ours, theirs = here, there
             elif ours is None:
                 self._share(number, other)
                 changed = True
