@@ -7,193 +7,20 @@ least as strongly as said. Random programs that were run (`tests/live`) have sho
 
 from __future__ import annotations
 
-import textwrap
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 import pytest
 
 from rosward.cli import main
-from rosward.ros.flows import STRENGTHS
 
 from .reported import calls_of, reported, said_of
-
-_PROGRAM: Final = """
-import asyncio
-import contextlib
-import multiprocessing
-import time
-from contextlib import suppress
-from dataclasses import dataclass
-from functools import partial
-from typing import NamedTuple
-
-import numpy as np
-import rclpy
-from rclpy.node import Node
-from rcl_interfaces.msg import SetParametersResult
-from rclpy.parameter import Parameter
-from std_msgs.msg import Float64
-
-
-class Shared:
-    total = 0.0
-
-
-class Point(NamedTuple):
-    x: float
-    y: float
-
-
-@dataclass
-class Size:
-    width: float
-    height: float = 0.0
-
-
-def remembered(value, kept=[]):
-    kept.append(value)
-    return sum(kept)
-
-
-def masked(limit):
-    values = np.array([1.0, 2.0])
-    values = values * 2.0
-    values[values <= limit] = 0.0
-    return values.sum()
-
-
-class Swallows:
-    def __init__(self, robot):
-        self.robot = robot
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, kind, error, trace):
-        self.robot.value = error.args[0]
-        return True
-
-
-class Switch:
-    on = False
-
-    def __bool__(self):
-        return self.on
-
-
-class Index:
-    at = 0
-
-    def __index__(self):
-        return self.at
-
-
-LEVEL = 0.0
-
-
-class Robot(Node):
-    def __init__(self):
-        super().__init__('robot')
-        self.out = self.create_publisher(Float64, '/out', 10)
-        self.create_subscription(Float64, '/in', self.on_in, 10)
-        self.create_timer(0.1, self.tick)
-{keeps}
-
-    def last(self, *values, **named):
-        return sum(values[-1:])
-
-    def all_but_a(self, **named):
-        return sum(v for k, v in named.items() if k != 'a')
-
-    def say(self, value=0.0, arrived=None, late=0.0):
-        self.out.publish(Float64(data=late if isinstance(value, Float64) else value))
-
-    def say2(self, value, other, arrived):
-        self.out.publish(Float64(data=value + other))
-
-    def judge(self, parameters):
-        return SetParametersResult(successful=self.value)
-
-    def take(self, parameters):
-        self.value = parameters[0].value
-
-    def errors(self):
-        last = 0.0
-        while True:
-            try:
-                yield last
-            except ValueError as error:
-                last = error.args[0]
-
-    def inner(self, value):
-        yield 1.0
-        return value
-
-    def outer(self, value):
-        self.value = yield from self.inner(value)
-
-    @contextlib.contextmanager
-    def for_a_while(self, value):
-        before, self.value = self.value, value
-        try:
-            yield
-        finally:
-            self.value = before
-
-    def twice(self, value):
-        self.value = value
-        yield 0.0
-        self.value = 0.0
-
-    @contextlib.contextmanager
-    def caught(self):
-        try:
-            yield
-        except ValueError as error:
-            self.value = error.args[0]
-
-    def more(self, msg):
-        for _ in getattr(self, 'items', ()):
-            if msg.data > 1.0:
-                break
-        else:
-            self.value = 1.0
-
-    async def half(self, value):
-        await asyncio.sleep(0)
-        return value / 2.0
-
-    async def gathered(self, value):
-        one, other = await asyncio.gather(self.half(value), self.half(1.0))
-        self.value = one + other
-
-    def on_in(self, msg):
-{does}
-
-    def tick(self):
-{then}
-
-
-rclpy.init()
-rclpy.spin(Robot())
-"""
-_SEND: Final = "self.out.publish(Float64(data={}))"
-
-
-class Case(NamedTuple):
-    """What is kept, done, and sent then."""
-
-    keeps: str
-    does: str
-    sends: str
-    strength: str = "data"
-
+from .robots import SEND, Case, said_strongly, write
 
 CASES: Final = {
     "a loop that finds no element": Case(
         "self.items = []",
-        "v = msg.data\nfor v in self.items:\n    pass\n" + _SEND.format("v"),
+        "v = msg.data\nfor v in self.items:\n    pass\n" + SEND.format("v"),
         "0.0",
     ),
     "an element is deleted": Case(
@@ -479,7 +306,7 @@ CASES: Final = {
     "an object that is an index": Case(
         "self.value = Index()", "self.value.at = int(msg.data)", "[1.0, 2.0][self.value]"
     ),
-    "a list of indices": Case("", _SEND.format("numpy.arange(9.0)[[int(msg.data)]][0]"), "0.0"),
+    "a list of indices": Case("", SEND.format("numpy.arange(9.0)[[int(msg.data)]][0]"), "0.0"),
     "what a library gives that nobody knows": Case(
         "self.value = Shared()", "wrapping.wrap(self.value).total = msg.data", "self.value.total"
     ),
@@ -509,14 +336,8 @@ CASES: Final = {
 
 @pytest.mark.parametrize("case", CASES.values(), ids=list(CASES))
 def test_nothing_is_lost(case: Case, tmp_path: Path) -> None:
-    program = tmp_path / "robot.py"
-    parts = (case.keeps or "pass", case.does, _SEND.format(case.sends))
-    keeps, does, then = (textwrap.indent(part, " " * 8) for part in parts)
-    program.write_text(_PROGRAM.format(keeps=keeps, does=does, then=then))
-    said = said_of(reported(program), "topic:/out")
-    assert said is not None
-    strong_enough = STRENGTHS[: STRENGTHS.index(case.strength) + 1]
-    assert "topic:/in" in frozenset().union(*(getattr(said, s) for s in strong_enough)), said
+    sources, said = said_strongly(case, tmp_path)
+    assert "topic:/in" in sources, said
 
 
 @pytest.mark.xfail(strict=True, reason="an index that a parameter gives is taken for the one that its default gives")
@@ -527,8 +348,7 @@ def test_a_parameter_chooses_the_publisher(tmp_path: Path) -> None:
         "self.outs = [self.create_publisher(Float64, f'/out{i}', 10) for i in range(2)]"
     )
     then = "self.outs[self.get_parameter('which').value].publish(Float64())"
-    indented = (textwrap.indent(part, " " * 8) for part in (keeps, "pass", then))
-    program.write_text(_PROGRAM.format(**dict(zip(("keeps", "does", "then"), indented, strict=True))))
+    write(program, keeps, "pass", then)
     said = said_of(reported(program), "topic:/out1")
     assert said is not None
     assert "parameter:which" in said.data | said.control
@@ -537,9 +357,8 @@ def test_a_parameter_chooses_the_publisher(tmp_path: Path) -> None:
 def test_a_parameter_that_the_node_sets_may_be_set_by_others(tmp_path: Path) -> None:
     program = tmp_path / "robot.py"
     keeps = "self.declare_parameter('gain', 2.0)\nself.set_parameters([Parameter('gain', value=0.0)])"
-    then = _SEND.format("1.0 if self.get_parameter('gain').value > 1.0 else 2.0")
-    indented = (textwrap.indent(part, " " * 8) for part in (keeps, "pass", then))
-    program.write_text(_PROGRAM.format(**dict(zip(("keeps", "does", "then"), indented, strict=True))))
+    then = SEND.format("1.0 if self.get_parameter('gain').value > 1.0 else 2.0")
+    write(program, keeps, "pass", then)
     said = said_of(reported(program), "topic:/out")
     assert said is not None
     assert "parameter:gain" in said.data | said.control

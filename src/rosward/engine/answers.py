@@ -37,6 +37,10 @@ class Answers:
         """Call a value."""
         return self.language.call(self, function, tuple(args), dict(keywords) if keywords else {})
 
+    def native(self: Engine, name: str, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
+        """Call a builtin, or a model in code, on nobody's behalf: the program does not see it."""
+        return self.language.call_native(self, name, tuple(args), dict(keywords) if keywords else {})
+
     def call_method(self: Engine, value: Value, name: str, args: tuple[Value, ...]) -> Value:
         """value.name(*args)."""
         return self.language.call_method(self, value, name, args)

@@ -263,6 +263,8 @@ class Language:
     call: Callable[[Engine, Value, tuple[Value, ...], dict[str, Value]], Value]
     call_with: Callable[[Engine, Value, tuple[ops.Argument, ...], list[Value]], Value]
     """A call as it is written."""
+    call_native: Callable[[Engine, str, tuple[Value, ...], dict[str, Value]], Value]
+    """A builtin, or a model in code, by its name."""
     call_function: Callable[[Engine, Function, tuple[Value, ...], dict[str, Value]], Value]
     """What a function of this language does with arguments, whoever calls it."""
     call_method: Callable[[Engine, Value, str, tuple[Value, ...]], Value]

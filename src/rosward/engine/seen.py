@@ -93,10 +93,18 @@ def _placed(slot: Slot) -> Iterator[Place]:
 
 
 class Handed(NamedTuple):
-    """One argument of a call: in which registers of the caller it stands as it is, and the objects that it is."""
+    """One argument of a call: in which registers of the caller it stands as it is, and the objects that it is.
+
+    `more`: it is not only these.
+    """
 
     registers: frozenset[int]
     refs: frozenset[int]
+    more: bool
+
+    def joined(self, other: Handed) -> Handed:
+        """This one or another one that stands in the same registers."""
+        return Handed(self.registers, self.refs | other.refs, self.more or other.more)
 
 
 class Called(NamedTuple):
@@ -105,6 +113,33 @@ class Called(NamedTuple):
     function: Function
     args: tuple[Handed, ...]
     keywords: tuple[tuple[str, Handed], ...]
+
+
+class Performed(NamedTuple):
+    """A native, or what nobody knows, that an operation runs but does not call as it is written, with what; `keys`: which arguments are constants.
+
+    `written`: the operation calls it through a partial function, or with `*`; else something else calls it. Of what nobody knows, the first
+    argument is what is called.
+    """
+
+    callee: Value
+    args: tuple[Handed, ...]
+    keywords: tuple[tuple[str, Handed], ...]
+    keys: tuple[object, ...]
+    written: bool
+
+    @property
+    def kind(self) -> object:
+        """Those of one kind are told together."""
+        handed = (*self.args, *(h for _, h in self.keywords))
+        return (self.callee, self.written, tuple([h.registers for h in handed]), *[n for n, _ in self.keywords])
+
+    def joined(self, other: Performed) -> Performed:
+        """This one or another of its kind."""
+        args = tuple(a.joined(b) for a, b in zip(self.args, other.args, strict=True))
+        keywords = tuple((n, a.joined(b)) for (n, a), (_, b) in zip(self.keywords, other.keywords, strict=True))
+        keys = tuple(a if a == b else None for a, b in zip(self.keys, other.keys, strict=True))
+        return Performed(self.callee, args, keywords, keys, self.written)
 
 
 class Given(NamedTuple):
@@ -138,6 +173,7 @@ class Seen:
     `swallows`: a `with` that may swallow an exception. `opaque`: something that nobody knows, and that may change.
     `effects`: the entities that it creates and what it sends, `scheduled`: the callbacks that it registers, each with the context of the turn.
     `alive`: control came out behind it. `callees`: the functions that it ran, `summaries`: those of which it took a summary.
+    `performed`: the natives that it runs but does not call as it is written.
     Of an operation of C++: `bound` are its calls, `made` the objects that it makes, each with what it is made of,
     `wrote` those that it writes to, `natives` the models in code, and `strange` the names of code that nobody knows.
     """
@@ -162,6 +198,7 @@ class Seen:
     summaries: dict[tuple[str, int], None] = _NO_DICT
     effects: dict[tuple[int, EntityEffect | SentEffect], None] = _NO_DICT
     scheduled: dict[tuple[int, Scheduled], None] = _NO_DICT
+    performed: dict[object, Performed] = _NO_DICT
     bound: dict[object, Bound] = _NO_DICT
     made: dict[int, object] = _NO_DICT
     natives: dict[str, None] = _NO_DICT
@@ -174,6 +211,13 @@ class Seen:
             setattr(self, name, {key: value})
         else:
             known[key] = value
+
+    def perform(self, native: Performed) -> None:
+        """A native runs."""
+        kind = native.kind
+        known = self.performed.get(kind)
+        if native != known:
+            self.note("performed", kind, native if known is None else known.joined(native))
 
     def hold(self, name: str, found: Iterable[object]) -> None:
         """These are in one of the sets from now on."""
@@ -216,6 +260,8 @@ class Seen:
         for name in _GATHERED:
             for key, each in getattr(other, name).items():
                 self.note(name, key, each)
+        for native in other.performed.values():
+            self.perform(native)
 
     def key(self, register: int, value: Value) -> None:
         """The operation finds a value in a register that may name a slot: what it is, where it is always the same constant."""

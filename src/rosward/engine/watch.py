@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING, Any, Final, final
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
-from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
 from rosward.engine.noted import CELLED, finding
+from rosward.engine.performed import NEVER, handed, performed, standing
 from rosward.engine.registered import Registered, period_of
 from rosward.engine.seen import (
     ALIVE,
@@ -27,7 +28,6 @@ from rosward.engine.seen import (
     Bound,
     Called,
     Given,
-    Handed,
     Seen,
     places_of,
     refs_of,
@@ -92,13 +92,20 @@ class Watch:
             return replace(
                 language, table={cls: self._noting_cpp(cls, handler) for cls, handler in language.table.items()}
             )
-        call_function = language.call_function
+        call_function, call = language.call_function, language.call
 
         def noting(machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
             self._call(machine, function, args, keywords)
             return call_function(machine, function, args, keywords)
 
-        return replace(language, table=table, call_function=noting)
+        def performing(machine: Engine, function: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+            if function.__class__ not in NEVER and machine.frames:
+                frame = machine.frames[-1]
+                for native in performed(frame, self._read_by(frame.op), function, args, keywords):
+                    self.at(machine).perform(native)
+            return call(machine, function, args, keywords)
+
+        return replace(language, table=table, call_function=noting, call=performing)
 
     def at(self, machine: Engine) -> Seen:
         """That of the operation that is running; what runs under no frame is of no activation."""
@@ -189,18 +196,12 @@ class Watch:
         if not machine.frames:
             return
         frame = machine.frames[-1]
-        registers = frame.registers
-        standing: dict[int, tuple[int, ...]] = {}  # by the identity of the value
-        for register in self._read_by(frame.op) if registers else ():
-            value = id(registers[register])
-            standing[value] = (*standing[value], register) if value in standing else (register,)
         values = (*args, *keywords.values()) if keywords else args
-        where = tuple([standing.get(id(value), ()) for value in values])
-        what = tuple(map(_refs_in, values))
-        key = (function.code.key, function.cells, where, what, *keywords)
+        where = standing(frame.registers, self._read_by(frame.op), values)
+        key = (function.code.key, function.cells, where, *keywords)
         seen = self.at(machine)
         if key not in seen.calls:
-            given = [Handed(frozenset(r), refs) for r, refs in zip(where, what, strict=True)]
+            given = handed(where)
             named = tuple(zip(keywords, given[len(args) :], strict=True))
             seen.note("calls", key, Called(function, tuple(given[: len(args)]), named))
 
@@ -362,17 +363,6 @@ def _standing(machine: Engine, value: Value) -> Value:
         return value
     cell = machine.state.heap.get(value.base.address)
     return value if cell is None else cell.attrs.get("value", value)
-
-
-_NO_REFS: Final = frozenset[int]()
-_LEADING_NOWHERE: Final = SILENT | {Const, Unknown}
-
-
-def _refs_in(value: Value) -> frozenset[int]:
-    """The objects that a value is or holds."""
-    if value.__class__ is Ref:
-        return frozenset((value.address,))
-    return _NO_REFS if value.__class__ in _LEADING_NOWHERE else frozenset(refs_of(value))
 
 
 def _width(signature: Signature) -> int:

@@ -83,9 +83,16 @@ def viewed(names: Iterable[str], given: Iterable[Mark]) -> frozenset[Root]:
     return frozenset[Root]().union(*(mark.roots for mark in given))
 
 
-def change(memory: Memory, op: ops.Call, names: Iterable[str], marks: list[Mark], owner: Mark, mask: int) -> None:
+def change(
+    memory: Memory,
+    arguments: Iterable[ops.Argument],
+    names: Iterable[str],
+    marks: list[Mark],
+    owner: Mark,
+    mask: int,
+) -> None:
     """Functions of these names write what they get to what they get."""
-    changed = [m for a, m in zip(op.arguments, marks, strict=False) if a.kind == "keyword" and a.name in ("out", "dst")]
+    changed = [m for a, m in zip(arguments, marks, strict=False) if a.kind == "keyword" and a.name in ("out", "dst")]
     for name in names:
         method = name.rpartition(".")[2]
         if method in _CHANGE and not name.startswith(_MODULES):

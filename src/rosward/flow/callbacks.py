@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rosward.flow import library
+from rosward.engine.arguments import MAYBE
+from rosward.flow import library, natives
 from rosward.flow.body import Body
 from rosward.flow.calls import by_code, in_parameters, keep_arguments, resume
 from rosward.flow.marks import NOTHING, Mark
@@ -19,7 +20,7 @@ from rosward.flow.partials import Given, bound_in
 from rosward.flow.ways import Way, each_way, joined_marks
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Activation, Called
+    from rosward.engine.seen import Activation, Called, Performed
     from rosward.flow.walker import Walker
 
 
@@ -59,10 +60,30 @@ def begin(
         for key, activations in waiting.items():
             if key not in called_here:
                 ways += [partial(resume, walker, activation.code.entry, body, a, pc) for a in activations]
+        ways += [partial(_native, walker, body, n, arguments, callback, given, handed) for n in seen.performed.values()]
         result = each_way(walker, ways)
         return NOTHING if result is None else result.under(pc)
     finally:
         walker.bodies.pop()
+
+
+def _native(
+    walker: Walker,
+    body: Body,
+    native: Performed,
+    arguments: list[Mark],
+    callback: Mark,
+    given: int,
+    handed: Sequence[Mark],
+) -> Mark:
+    """A builtin, or a model in code, is the callback."""
+    partials = Given(walker, bound_in(callback))
+    first = len(native.args) - len(arguments)
+    before = partials.whole.under(given)
+    marks = [before.joined(Mark(0, frozenset(passed.refs))) for passed in native.args[: max(first, 0)]]
+    marks += [*(a.under(given) for a in arguments), *(h.under(given | body.pc) for h in handed)]
+    named = {n.removeprefix(MAYBE): before.joined(Mark(0, frozenset(h.refs))) for n, h in native.keywords}
+    return natives.perform(walker, body.at, body, body.activation.of(0), native, marks, named)
 
 
 def _of_callback(

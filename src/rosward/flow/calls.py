@@ -7,12 +7,12 @@ lib.blur(image)      may hold all that the image does, may be a view of it, and 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, External, Native, Tuple
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
 from rosward.domain.values import Class, Const, Function, Value
 from rosward.effects.flows import Sink
 from rosward.effects.sent import SentEffect
@@ -46,10 +46,10 @@ def run_callees(
 
     `names`: those of that name only; `told`: what stands in no register and each of their arguments behind the receiver may be.
     """
-    if not (seen.callees or seen.summaries or seen.calls):
+    if not (seen.callees or seen.summaries or seen.calls or seen.performed):
         return None
     waiting = walker.bodies_of(seen)
-    result: Mark | None = None
+    result = _performed(walker, op, body, seen) if seen.performed and not names else None
     inside = body.pc | pc
     ways: list[Way] = []
     called_here: set[str] = set()
@@ -89,6 +89,19 @@ def run_callees(
 
 
 _FEW: Final = 8
+
+
+def _performed(walker: Walker, op: ops.Op, body: Body, seen: Seen) -> Mark:
+    """The natives that an operation runs but does not call as it is written."""
+    spread = _spread_size(walker, op, body)
+    result = NOTHING
+    for native in seen.performed.values():
+        marks = [_handed(walker, op, body, h).under(spread) for h in native.args]
+        named = {n.removeprefix(MAYBE): _handed(walker, op, body, h).under(spread) for n, h in native.keywords}
+        result = result.joined(natives.perform(walker, op, body, seen, native, marks, named))
+    if walker.attempts and may_fail(op, seen):
+        walker.attempts[-1].mask |= result.mask
+    return result
 
 
 def by_code(seen: Seen) -> dict[str, list[Called]]:
@@ -217,10 +230,10 @@ def _handed(walker: Walker, op: ops.Op, body: Body, handed: Handed, name: str = 
             mark = body.registers[register]
             found = found.joined(walker.memory.read(mark.roots, name)).under(mark.mask)
         return found
-    if handed.refs and isinstance(op, ops.Call):  # a receiver, or an object that is made here
+    if handed.refs and not handed.more and isinstance(op, ops.Call):  # a receiver, or an object that is made here
         chosen = body.registers[op.func].mask
         return found.under(demoted(chosen) if len(handed.refs) == 1 and walker.memory.is_one(handed.refs) else chosen)
-    if handed.refs:
+    if handed.refs and not handed.more:
         return found
     for register in reads(op):
         mark = body.registers[register]
@@ -246,10 +259,8 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     given = run_callees(walker, op, body, seen, pc=pc)
     result = NOTHING if given is None else given
     unknown = False
-    for callee in _apart(callees(seen.functions)):
-        if isinstance(callee, (Native, External)) or (
-            isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
-        ):
+    for callee in _apart(_as_written(op, seen.functions)):
+        if _is_native(callee):
             computed = natives.apply(walker, op, body, seen, callee, marks)
             result = result.joined(computed)
             if walker.attempts and may_fail(op, seen):
@@ -259,7 +270,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         elif not isinstance(callee, Function):
             unknown = True
     if unknown or not seen.functions:
-        computed = library.unknown(walker, op, body, function, marks)
+        computed = library.unknown(walker, op, body, function, marks, op.arguments)
         result = result.joined(computed)
         if walker.attempts:
             walker.attempts[-1].mask |= computed.mask
@@ -272,6 +283,21 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     _register(walker, op, body, seen, marks, pc)
     if any(_spins(f) for f in callees(seen.functions)):
         walker.join_beside()
+
+
+def _is_native(callee: Value) -> bool:
+    return isinstance(callee, (Native, External)) or (
+        isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
+    )
+
+
+def _as_written(op: ops.Call, functions: Iterable[Value]) -> Iterator[Value]:
+    """What is called; not the natives of which the operation does not say what they are given (`_performed`)."""
+    plain = not any(a.kind in ("star", "doublestar") for a in op.arguments)
+    for option in (o for f in functions for o in options(f)):
+        for callee in callees((option,)):
+            if (plain and not isinstance(option, Partial)) or not _is_native(callee):
+                yield callee
 
 
 def _apart(several: Iterable[Value]) -> Iterable[Value]:
@@ -292,7 +318,7 @@ def _send(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             mask = pc | demoted(body.registers[op.func].mask)
-            for mark in marks:
+            for mark in (*marks, Mark(0, frozenset[Root](bound_in(body.registers[op.func])))):
                 mask |= walker.memory.deep(mark)
             send(walker, effect, mask)
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
 from rosward.domain.values import Class
+from rosward.flow import partials
 from rosward.flow.marks import Mark, Root
 from rosward.flow.native_call import NativeCall
 
@@ -43,6 +44,9 @@ def construct(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[
             spread = Mark(walker.memory.deep(written), written.roots | walker.memory.read_all(written.roots).roots)
             walker.memory.write_any(roots, written if argument.kind == "positional" else spread)
             number = -1
+    given = partials.bound_in(body.registers[op.func])
+    if given:
+        walker.memory.write_any(roots, partials.Given(walker, given).whole.under(body.pc))
 
 
 def fill(call: NativeCall) -> Mark:

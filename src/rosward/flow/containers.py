@@ -54,7 +54,7 @@ def _extend(call: NativeCall) -> Mark:
             perhaps = {key for key in slots if any(key not in each for each in several)}
             memory.write_each(call.mark(0).roots, slots, perhaps)
         memory.write_any(call.mark(0).roots, found if not _is_keyed(call, argument) else NOTHING, size)
-    for given, mark in zip(call.op.arguments, call.marks[1:], strict=False):
+    for given, mark in call.given():
         if given.kind == "keyword":
             memory.write(call.mark(0).roots, given.name, mark.under(call.pc))
     return Mark(call.pc)
@@ -80,7 +80,7 @@ def _take(call: NativeCall) -> Mark:
 
 def _get(call: NativeCall) -> Mark:
     memory, owner = call.walker.memory, call.mark(0)
-    key = call.key(0)
+    key = call.key(1)
     found = memory.read_all(owner.roots) if key is None else memory.read(owner.roots, key)
     mask = call.pc | owner.mask | call.mark(1).mask
     if key is None:
@@ -90,7 +90,7 @@ def _get(call: NativeCall) -> Mark:
 
 def _set_default(call: NativeCall) -> Mark:
     memory, owner, written = call.walker.memory, call.mark(0), call.mark(2).under(call.pc | call.mark(1).mask)
-    key = call.key(0)
+    key = call.key(1)
     if key is None:
         memory.write_any(owner.roots, written, call.pc | call.mark(1).mask)
         return memory.read_all(owner.roots).under(call.pc | owner.mask)
@@ -144,7 +144,7 @@ def _copy(call: NativeCall) -> Mark:
 def _dict(call: NativeCall) -> Mark:
     """`dict(mapping, key=value, **more)`."""
     memory = call.walker.memory
-    positional = [m for a, m in zip(call.op.arguments, call.marks, strict=False) if a.kind != "keyword"]
+    positional = [m for a, m in call.given() if a.kind != "keyword"]
     slots: dict[object, Mark] = {}
     rest, size = NOTHING, call.pc
     for mark in positional:
@@ -158,7 +158,7 @@ def _dict(call: NativeCall) -> Mark:
                     slots[key] = slots.get(key, NOTHING).joined(found).under(under)
                 else:  # an element of a list of pairs
                     rest = rest.joined(found)
-    for argument, mark in zip(call.op.arguments, call.marks, strict=False):
+    for argument, mark in call.given():
         if argument.kind == "keyword":
             slots[argument.name] = mark.under(call.pc)
     return call.new(Content(0, rest, size, slots))

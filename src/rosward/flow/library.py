@@ -8,6 +8,7 @@ cv2.rectangle(image, …)           nobody knows: the image, and the result, may
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
@@ -98,7 +99,9 @@ def stop(walker: Walker, root: Root, mask: int) -> None:
         walker.changed = True
 
 
-def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: list[Mark]) -> Mark:
+def unknown(
+    walker: Walker, op: ops.Op, body: Body, function: Mark, marks: list[Mark], arguments: Sequence[ops.Argument]
+) -> Mark:
     """Code that is not known, unless its name is: it may write to all that it can reach, and give any of it."""
     names = sorted({n for r in function.roots if (n := name_of(r))})
     everything = [*marks, Mark(function.mask, owners_of(function))]
@@ -110,7 +113,7 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
         given |= perform(walker, name, mask, body.pc)
     root = walker.shape.made(body.activation, op.number, names[0] if names else "")
     walker.memory.renew(root)
-    arrays.change(walker.memory, op, names, marks, everything[-1], mask)
+    arrays.change(walker.memory, arguments, names, marks, everything[-1], mask)
     known = [walker.shape.said(n) for n in names]
     if known and all(said.releases for said in known):
         cleaned(walker, names[0], mask)

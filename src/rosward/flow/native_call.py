@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One call of a native: what it is given, by number and by key, and where its result stands."""
+"""One call of a native: what it is given, by number, name and key, and where its result stands."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, final
 
 from rosward.flow.content import Content
@@ -18,23 +19,30 @@ if TYPE_CHECKING:
 
 @final
 class NativeCall:
-    """One call of a native: the receiver is among the marks; `keys` are the registers of the arguments behind it."""
+    """One call of a native: the receiver is among the marks, the last of which are those of the arguments as they are written.
 
-    __slots__ = ("body", "marks", "name", "op", "pc", "registers", "seen", "walker")
+    `keys`: which of the marks are constants, of a call that is not written; `within`: another call makes it, whose result is something else.
+    """
+
+    __slots__ = ("_keys", "arguments", "body", "marks", "name", "op", "pc", "seen", "walker", "within")
 
     def __init__(
         self,
         walker: Walker,
-        op: ops.Call,
+        op: ops.Op,
         body: Body,
         seen: Seen,
         name: str,
         marks: list[Mark],
-        registers: list[int],
+        arguments: Sequence[ops.Argument] = (),
         receiver: Mark = NOTHING,
+        keys: Sequence[object] | None = None,
+        *,
+        within: bool = False,
     ) -> None:
         self.walker, self.op, self.body, self.seen = walker, op, body, seen
-        self.name, self.marks, self.registers = name, marks, registers
+        self.name, self.marks, self.arguments = name, marks, arguments
+        self._keys, self.within = keys, within
         self.pc = body.pc  # what decides that control is here, and at this object
         if receiver.mask and not walker.memory.is_one(receiver.roots):
             self.pc |= demoted(receiver.mask)
@@ -44,13 +52,24 @@ class NativeCall:
         return self.marks[number] if number < len(self.marks) else NOTHING
 
     def key(self, number: int) -> object:
-        """The constant that an argument behind the receiver is."""
-        if number >= len(self.registers):
+        """The constant that one of the marks surely is."""
+        if self._keys is not None:
+            return self._keys[number] if number < len(self._keys) else None
+        written = number - (len(self.marks) - len(self.arguments))
+        if not 0 <= written < len(self.arguments):
             return None
-        return constant(self.seen, self.registers[number])
+        return constant(self.seen, self.arguments[written].register)
+
+    def given(self) -> Iterator[tuple[ops.Argument, Mark]]:
+        """The arguments as they are written, with their marks."""
+        return zip(self.arguments, self.marks[len(self.marks) - len(self.arguments) :], strict=True)
 
     def new(self, content: Content) -> Mark:
         """A new object with this content."""
+        if self.within:
+            root = self._made()
+            self.walker.memory.place(root, content)
+            return Mark(self.pc, frozenset((root,)))
         fresh: list[Root] = [*self.seen.refs] or [self._made()]
         held = content.whole.roots
         places = [p for p in fresh if p not in held and not any(p in m.roots for m in self.marks)]
@@ -71,4 +90,5 @@ class NativeCall:
         return Mark(mask, frozenset((root,)))
 
     def _made(self) -> Root:
-        return self.walker.shape.made(self.body.activation, self.op.number)
+        name = self.name if self.within else ""
+        return self.walker.shape.made(self.body.activation, self.op.number, name)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.compound import BoundMethod, External, Native
 from rosward.domain.values import Value
 from rosward.effects.flows import Source
+from rosward.engine.arguments import ANY, LOOSE, ORDER
 from rosward.engine.seen import refs_of
 from rosward.flow import containers, library, parameters, partials
 from rosward.flow.constructed import fill
@@ -23,36 +24,55 @@ from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, owners_of
 from rosward.flow.released import callees
+from rosward.ir import ops
 from rosward.ir.ops import Call
 from rosward.models.ros.interfaces import message_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from rosward.engine.seen import Seen
+    from rosward.engine.seen import Performed, Seen
     from rosward.flow.body import Body
     from rosward.flow.walker import Walker
-    from rosward.ir import ops
 
 
 def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, marks: list[Mark]) -> Mark:
     """What a native, or a function of a library, gives and does."""
-    registers = [a.register for a in op.arguments]
     function = body.registers[op.func]
     if isinstance(callee, External):
         if message_name(callee.name) is not None:
-            return _message(NativeCall(walker, op, body, seen, callee.name, marks, registers))
+            return _message(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
         if walker.shape.is_native(callee.name):
-            return _native(NativeCall(walker, op, body, seen, callee.name, marks, registers))
+            return _native(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
         named = Mark(function.mask, frozenset((of_library(callee.name),)))
-        return library.unknown(walker, op, body, named, marks)
+        return library.unknown(walker, op, body, named, marks, op.arguments)
     if isinstance(callee, BoundMethod):
         assert isinstance(callee.function, Native)
         name = callee.function.name
         receiver = _receiver(walker, seen, callee, function)
-        return _native(NativeCall(walker, op, body, seen, name, [receiver, *marks], registers, receiver))
+        return _native(NativeCall(walker, op, body, seen, name, [receiver, *marks], op.arguments, receiver))
     assert isinstance(callee, Native)
-    return _native(NativeCall(walker, op, body, seen, callee.name, marks, registers))
+    return _native(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
+
+
+def perform(
+    walker: Walker, op: ops.Op, body: Body, seen: Seen, native: Performed, marks: list[Mark], named: dict[str, Mark]
+) -> Mark:
+    """The same for one that the operation does not call as it is written, and is given this."""
+    all_marks = [*marks, *named.values()]
+    arguments = [ops.Argument("positional", ops.NO_REGISTER)] * len(marks)
+    arguments += [ops.Argument("star" if n in (LOOSE, ORDER, ANY) else "keyword", ops.NO_REGISTER, n) for n in named]
+    if not isinstance(native.callee, (Native, External)):
+        return library.unknown(walker, op, body, all_marks[0], all_marks[1:], arguments[1:])
+    name = native.callee.name
+    call = NativeCall(walker, op, body, seen, name, all_marks, arguments, keys=native.keys, within=not native.written)
+    if isinstance(native.callee, External):
+        if message_name(name) is not None:
+            return _message(call)
+        if not walker.shape.is_native(name):
+            named_mark = Mark(0, frozenset((of_library(name),)))
+            return library.unknown(walker, op, body, named_mark, all_marks, arguments)
+    return _native(call)
 
 
 def _receiver(walker: Walker, seen: Seen, callee: BoundMethod, function: Mark) -> Mark:
@@ -73,7 +93,7 @@ def _message(call: NativeCall) -> Mark:
     """A new message, or part of a service or action, with the fields that are given."""
     slots: dict[object, Mark] = {}
     rest = NOTHING
-    for argument, mark in zip(call.op.arguments, call.marks, strict=True):
+    for argument, mark in call.given():
         written = mark.under(call.pc)
         if argument.kind == "keyword":
             slots[argument.name] = written
@@ -105,7 +125,7 @@ def by_name(walker: Walker, op: ops.Op, body: Body, seen: Seen, name: str, marks
     done = _KNOWN.get(name)
     if done is None or not isinstance(op, Call):
         return None
-    return done(NativeCall(walker, op, body, seen, name, marks, []))
+    return done(NativeCall(walker, op, body, seen, name, marks))
 
 
 def _kept(name: str) -> bool:
@@ -138,7 +158,7 @@ def _set_attribute(call: NativeCall) -> Mark:
 def _object_attribute(call: NativeCall) -> Mark:
     """`object.__getattribute__(self, name)`, `object.__setattr__(self, name, value)` and the like, bound or not."""
     memory, owner, (name, *value) = call.walker.memory, call.mark(0), call.marks[1:] or [NOTHING]
-    key = call.key(len(call.registers) - len(value) - 1)
+    key = call.key(1)
     mask = call.pc | name.mask | demoted(owner.mask)
     if call.name.endswith("__getattribute__"):
         found = memory.read(owner.roots, key) if isinstance(key, str) else memory.read_all(owner.roots)
@@ -271,7 +291,7 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
             *("_rosward.fail_unless", "_rosward.spin", "_rosward.report", "_rosward.create", "_rosward.create_node"),
             *("_rosward.may_refuse", "_rosward.sender", "_rosward.node_name", "_rosward.node_namespace"),
             *("_rosward.node_fqn", "_rosward.resolve_name", "_rosward.declare_own", "_rosward.needs_parameter"),
-            *("_rosward.is_unset", "queue._alone"),
+            *("_rosward.is_unset", "_rosward.send", "queue._alone"),
         ),
         _nothing,
     ),

@@ -21,9 +21,7 @@ def make(call: NativeCall) -> Mark:
     """`functools.partial(function, …)`. Which arguments `*` and `**` give is not told apart."""
     slots: dict[object, Mark] = {}
     rest, several = NOTHING, False
-    for number, (argument, mark) in enumerate(
-        zip(call.op.arguments, call.marks[-len(call.op.arguments) :], strict=True)
-    ):
+    for number, (argument, mark) in enumerate(call.given()):
         if argument.kind in ("star", "doublestar"):
             several, rest = True, rest.joined(elements(call.walker, mark))
         elif argument.kind == "keyword":
@@ -64,6 +62,14 @@ class Given(NamedTuple):
             content = self.walker.memory.of(root)
             plain = content.any == NOTHING and _positional(content) == count
             found = found.joined(content.read(number) if plain else content.whole)
+        return found
+
+    @property
+    def whole(self) -> Mark:
+        """All that they give."""
+        found = NOTHING
+        for root in self.partials:
+            found = found.joined(self.walker.memory.of(root).whole)
         return found
 
     def named(self, name: str) -> Mark:

@@ -52,6 +52,11 @@ def call(machine: Engine, function: Value, args: Arguments, keywords: Mapping[st
     return invoke(machine, function, args, keywords=keywords)
 
 
+def call_native(machine: Engine, name: str, args: Arguments, keywords: Mapping[str, Value]) -> Value:
+    """A builtin of Python, or a model in code, of what stands in the arguments."""
+    return python_calls.call_native(machine, name, tuple(read(machine, a) for a in args), dict(keywords))
+
+
 def invoke(
     machine: Engine,
     function: Value,
@@ -85,7 +90,7 @@ def invoke(
     if isinstance(function, (External, TypeOf)):
         return _of_library(machine, function, args, keywords)
     if isinstance(function, Native):
-        return python_calls.call(machine, function, tuple(read(machine, a) for a in args), dict(keywords))
+        return call_native(machine, function.name, args, keywords)
     if isinstance(function, Class):
         if ANY in keywords:
             return construct.make_of_anything(machine, function, keywords)

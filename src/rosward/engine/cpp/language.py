@@ -114,6 +114,7 @@ CPP: Final = replace(
     load_item=_load_item,
     store_item=_store_item,
     call=calls.call,
+    call_native=calls.call_native,
     call_function=calls.call_function,
     call_method=_call_method,
     is_open=is_open,

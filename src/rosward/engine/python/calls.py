@@ -59,7 +59,7 @@ def call_with(machine: Engine, function: Value, arguments: tuple[Argument, ...],
         loose.append(behind)
     if loose:
         keywords[LOOSE] = join_all(loose)  # further arguments, of unknown number and name
-    return call(machine, function, args.head, keywords)
+    return machine.language.call(machine, function, args.head, keywords)
 
 
 def _spread(machine: Engine, value: Value, keywords: Keywords) -> list[Value]:

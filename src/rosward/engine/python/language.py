@@ -79,6 +79,7 @@ PYTHON: Final = Language(
     store_item=items.store,
     call=calls.call,
     call_with=calls.call_with,
+    call_native=calls.call_native,
     call_function=calls.call_function,
     call_method=calls.call_method,
     is_open=own_methods.is_open,

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.compound import Native
 from rosward.domain.values import NONE, Ref, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import bare
@@ -55,17 +54,17 @@ def _special(call: NativeCall) -> Value:
     if name in _BINARY:
         return machine.binary(_BINARY[name], receiver, call.args[1])
     if (kind, name) in _IN_PLACE:
-        machine.call(Native(_IN_PLACE[kind, name]), call.args[:2])
+        machine.native(_IN_PLACE[kind, name], call.args[:2])
         return receiver
     match name:
         case "__len__" | "__iter__" | "__reversed__":
-            return machine.call(Native(f"builtins.{name.strip('_')}"), (receiver,))
+            return machine.native(f"builtins.{name.strip('_')}", (receiver,))
         case "__contains__":
             return machine.compare("in", call.args[1], receiver)
         case "__getitem__":
             return machine.load_item(receiver, call.args[1])
         case "__delitem__":
-            machine.call(Native(f"{kind}.pop"), (receiver, call.args[1]))
+            machine.native(f"{kind}.pop", (receiver, call.args[1]))
         case _:
             machine.store_item(receiver, call.args[1], call.args[2])
     return NONE
@@ -75,10 +74,10 @@ def _fill(call: NativeCall) -> Value:
     """`__init__`: a list or set has these elements from now on; a dict gets entries."""
     kind = call.name.partition(".")[0]
     if kind != "dict":
-        call.machine.call(Native(f"{kind}.clear"), call.args[:1])
+        call.machine.native(f"{kind}.clear", call.args[:1])
     if len(call.args) > 1 or call.keywords:
         update = {"list": "list.extend", "set": "set.update", "dict": "dict.update"}[kind]
-        call.machine.call(Native(update), call.args[:2], call.keywords)
+        call.machine.native(update, call.args[:2], call.keywords)
     return NONE
 
 
