@@ -75,6 +75,9 @@ class FakeMachine(FakeProcess):
     def native(self, name: str, *args: Value, **keywords: Value) -> Value:
         return perform(NATIVES[name], NativeCall(self, name, args, keywords))
 
+    def call_native(self, name: str, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
+        return self.call(Native(name), args, keywords)
+
     def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
         if isinstance(function, BoundMethod):
             return self.call(function.function, (function.receiver, *args), keywords)

@@ -68,6 +68,9 @@ class FakeMachine(FakeProcess):
 
     # What natives use
 
+    def call_native(self, name: str, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
+        return self.call(Native(name), args, keywords)
+
     def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
         if isinstance(function, Partial):
             merged = {**dict(function.keywords), **(keywords or {})}

@@ -37,7 +37,9 @@ class Answers:
         """Call a value."""
         return self.language.call(self, function, tuple(args), dict(keywords) if keywords else {})
 
-    def native(self: Engine, name: str, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
+    def call_native(
+        self: Engine, name: str, args: Sequence[Value], keywords: Mapping[str, Value] | None = None
+    ) -> Value:
         """Call a builtin, or a model in code, on nobody's behalf: the program does not see it."""
         return self.language.call_native(self, name, tuple(args), dict(keywords) if keywords else {})
 

@@ -60,7 +60,7 @@ def apply(machine: Engine, function: Function, registers: list[Value]) -> Value 
         assert isinstance(spec, Tuple)
         kind = spec.items[0]
         if kind == Const("native"):
-            return machine.native(f"{function.module.name}.{function.code.qualname}", tuple(registers))
+            return machine.call_native(f"{function.module.name}.{function.code.qualname}", tuple(registers))
         if kind == Const("changes"):
             assert isinstance(spec.items[1], Tuple)
             for name in spec.items[1].items:

@@ -32,9 +32,10 @@ def finding(cls: type[ops.Op]) -> Find | None:
 
 
 def _function(seen: Seen, op: ops.Call, frame: Frame) -> None:
-    registers = frame.registers
+    registers, keys = frame.registers, seen.keys
     for argument in op.arguments[:2]:
-        seen.key(argument.register, registers[argument.register])
+        if keys.get(argument.register, NONE) is not None:  # else it is known to be different things
+            seen.key(argument.register, registers[argument.register])
     function = registers[op.func]
     if function is seen.called or function == seen.called:
         return

@@ -24,8 +24,9 @@ from rosward.records import NamedTuple
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
 
-NEVER: Final = frozenset({Function, Class})
+_NEVER: Final = frozenset({Function, Class})
 """Values whose calls run no native, or say themselves which."""
+_PLAIN: Final = frozenset({Function, Native, External, Unknown})
 
 
 class _Call(NamedTuple):
@@ -35,6 +36,17 @@ class _Call(NamedTuple):
     args: tuple[Value, ...]
     keywords: Mapping[str, Value]
     given: bool
+
+
+def is_as_written(frame: Frame, function: Value) -> bool:
+    """Whether all that a called value leads to is told by the operation that calls it, or by itself: what `performed` would find is nothing."""
+    cls = function.__class__
+    if cls in _NEVER:
+        return True
+    op = frame.op
+    if op.__class__ is not ops.Call or op.simple is None or frame.registers[op.func] is not function:
+        return False
+    return cls in _PLAIN or (cls is BoundMethod and function.function.__class__ in _PLAIN)  # type: ignore[attr-defined]  # a method
 
 
 def performed(

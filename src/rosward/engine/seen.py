@@ -181,6 +181,7 @@ class Seen:
     alive = False
     gave: Value | None = None  # the last value, of an operation that gives one
     called: Value | None = None  # the last function, of a call
+    written: tuple[object, ...] | None = None  # the last function of the program, with its arguments
     several = False
     swallows = False
     opaque = False
@@ -282,6 +283,10 @@ class Seen:
         """The operation gave this value. Often it is the one that it gave before, or the same made anew."""
         before, self.gave = self.gave, value
         if value is before or (value.__class__ in _COMPARED and value == before):
+            return
+        if value.__class__ is Ref:
+            if before.__class__ is not Ref or before.address != value.address:
+                self._give(value, places)
             return
         for option in options(value):
             self._give(option, places)

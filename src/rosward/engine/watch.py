@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from operator import is_
 from types import FunctionType
 from typing import TYPE_CHECKING, Any, Final, final
 
@@ -18,7 +19,7 @@ from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
 from rosward.engine.noted import CELLED, finding
-from rosward.engine.performed import NEVER, handed, performed, standing
+from rosward.engine.performed import handed, is_as_written, performed, standing
 from rosward.engine.registered import Registered, period_of
 from rosward.engine.seen import (
     ALIVE,
@@ -99,8 +100,8 @@ class Watch:
             return call_function(machine, function, args, keywords)
 
         def performing(machine: Engine, function: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
-            if function.__class__ not in NEVER and machine.frames:
-                frame = machine.frames[-1]
+            frame = machine.frames[-1] if machine.frames else None
+            if frame is not None and not is_as_written(frame, function):
                 for native in performed(frame, self._read_by(frame.op), function, args, keywords):
                     self.at(machine).perform(native)
             return call(machine, function, args, keywords)
@@ -195,11 +196,17 @@ class Watch:
     def _call(self, machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> None:
         if not machine.frames:
             return
-        frame = machine.frames[-1]
+        frame, seen = machine.frames[-1], self.at(machine)
+        written = None  # with what, where the operation alone says where that stands
+        if not keywords and frame.op.__class__ is ops.Call and frame.op.simple is not None:
+            written = (function.code, function.cells, *args)
+            before = seen.written
+            if before is not None and len(before) == len(written) and all(map(is_, before, written)):
+                return
+        seen.written = written
         values = (*args, *keywords.values()) if keywords else args
         where = standing(frame.registers, self._read_by(frame.op), values)
         key = (function.code.key, function.cells, where, *keywords)
-        seen = self.at(machine)
         if key not in seen.calls:
             given = handed(where)
             named = tuple(zip(keywords, given[len(args) :], strict=True))

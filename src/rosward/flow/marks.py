@@ -20,6 +20,7 @@ _SOURCES: Final = 2048
 _DATA: Final = sum(1 << 3 * n for n in range(_SOURCES))
 _CONTROL: Final = _DATA << 1
 _TRIGGER: Final = _DATA << 2
+_WEAKER: Final = _CONTROL | _TRIGGER
 
 _EVENTS: Final = frozenset(("main", "timer", "thread", "parameters"))
 
@@ -86,7 +87,7 @@ NOTHING: Final = Mark()
 
 def demoted(mask: int) -> int:
     """What is made under a branch that depends on this: its data has become control."""
-    return (mask & _DATA) << 1 | mask & (_CONTROL | _TRIGGER)
+    return (mask & _DATA) << 1 | mask & _WEAKER
 
 
 def triggering(mask: int) -> int:

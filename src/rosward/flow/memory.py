@@ -17,7 +17,8 @@ from rosward.flow.marks import Mark, Root, is_slot, part_of, slot_of
 from rosward.flow.remembered import Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
-from rosward.flow.tracker import Keys, Tracker
+from rosward.flow.store import Covered
+from rosward.flow.tracker import Tracker, differing
 
 
 @final
@@ -83,7 +84,7 @@ class Memory(Standing):
         self._met, self._since = state, set()
 
     def _cover(self, other: Memory, numbers: Iterable[int]) -> bool:
-        changed, tracker = False, self.shape.tracker
+        changed = False
         for number in numbers:
             mine, their = self.numbered(number), other.numbered(number)
             if mine is their:
@@ -91,18 +92,23 @@ class Memory(Standing):
             root = self.numbers.roots[number]
             ours = self.now(root) if mine is None else mine
             theirs = other.now(root) if their is None else their
-            keys = None if tracker is None else tracker.meets(root, ours, theirs)
-            changed |= self._takes_in(root, ours, theirs, keys)
+            changed |= self._takes_in(root, ours, theirs)
         return changed
 
-    def _takes_in(self, root: Root, ours: Content, theirs: Content, keys: Keys) -> bool:
+    def _takes_in(self, root: Root, ours: Content, theirs: Content) -> bool:
         """What stands in an object covers another content, too; whether that is another one then."""
-        covered, pair = self.numbers.covered, (id(ours), id(theirs))
-        if pair in covered:
+        covered, pair, tracker = self.numbers.covered, (id(ours), id(theirs)), self.shape.tracker
+        known = covered.get(pair)
+        if known is not None:
+            if tracker is not None:
+                tracker.meets(root, ours, theirs, known.keys)
             return False
+        keys = differing(ours, theirs)
+        if tracker is not None:
+            tracker.meets(root, ours, theirs, keys)
         merged = both(ours, theirs)
         if merged is ours:
-            covered[pair] = ours, theirs
+            covered[pair] = Covered(ours, theirs, keys)
             return False
         self._put(root, merged, keys)
         return True
@@ -146,11 +152,8 @@ class Memory(Standing):
 
     def cover(self, written: Layer) -> None:
         """Each of these contents may stand here, too."""
-        tracker = self.shape.tracker
         for root, content in written.items():
-            now = self.now(root)
-            keys = None if tracker is None else tracker.meets(root, now, content)
-            self._takes_in(root, now, content, keys)
+            self._takes_in(root, self.now(root), content)
 
     def _write_slot(self, slot: Root, mark: Mark, *, sure: bool = False) -> None:
         """Something is written into a slot: in the place of what stood there, where that is sure."""

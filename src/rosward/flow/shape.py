@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.certain import text_of
@@ -57,6 +57,8 @@ class Shape:
     def __init__(self, machine: Interpreter) -> None:
         self._machine = machine
         self.numbers = Numbers()
+        self._few = _FEW[0][1]
+        self._until: float = _FEW[0][0]
         self.spent = 0  # operations and objects that were looked at
         self.inner: dict[int, tuple[int, str]] = machine.inner_objects()
         self.many = {address for address, obj in machine.state.heap.items() if obj.many}
@@ -88,7 +90,9 @@ class Shape:
         """So many objects that one value may be are told apart; the more was walked through, the fewer. In C++ parts have a place in the whole."""
         if self._machine.linked is not None:
             return _ALL
-        return next(few for spent, few in _FEW if self.spent < spent)
+        if self.spent >= self._until:
+            self._until, self._few = next(step for step in _FEW if self.spent < step[0])
+        return self._few
 
     def record(self, address: int) -> Obj | None:
         """What stands at an address at the end."""
@@ -168,6 +172,12 @@ class Shape:
             mro = cls.mro if isinstance(cls, Class) else ()
             found = self._classes[root] = tuple(c.address for c in mro if isinstance(c, Class) and not c.stub)
         return found
+
+    def classes_of(self, roots: Collection[object]) -> Collection[int]:
+        """The same for several objects."""
+        if len(roots) == 1:
+            return self.classes(*roots)
+        return dict.fromkeys(cls for root in roots if root.__class__ is int for cls in self.classes(root))
 
     def fields(self, roots: Iterable[Root]) -> tuple[str, ...]:
         """The names of what objects are made of, in order, where their classes say so and agree."""

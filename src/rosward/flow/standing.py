@@ -14,7 +14,7 @@ from rosward.flow.content import EMPTY, Content, Layer, TooLongError
 from rosward.flow.marks import NOTHING, Mark, Root, behind, is_slot, part_of, slot_of
 from rosward.flow.remembered import Looked
 from rosward.flow.shape import Shape
-from rosward.flow.store import MELTED, Store
+from rosward.flow.store import MASK, MELTED, SHIFT, Store
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -83,20 +83,26 @@ class Standing(Store):
 
     def now(self, root: Root) -> Content:
         """The content of an object, about which nobody is told that it was read; of a slot, what stands there."""
-        if is_slot(root):
+        number = self._of.get(root)  # `known`, without the call: nothing is asked as often
+        if number is not None and (page := self._pages.get(number >> SHIFT)) is not None:
+            found = page[number & MASK]
+            if found is not None:
+                return found
+        return self._unwritten(root)
+
+    def _unwritten(self, root: Root) -> Content:
+        """The content of an object to which nothing was written: what it is a part of says it."""
+        if root.__class__ is tuple and root[0] == "slot":  # no address
             return Content(any=self.at(root))
-        found = self.known(root)
-        if found is None:
-            owner = part_of(root, self.shape.inner)
-            mask = 0 if owner is None else self.now(owner[0]).read(owner[1]).mask
-            found = Content(base=mask) if mask else EMPTY
-        return found
+        owner = part_of(root, self.shape.inner)
+        mask = 0 if owner is None else self.now(owner[0]).read(owner[1]).mask
+        return Content(base=mask) if mask else EMPTY
 
     def of(self, root: Root) -> Content:
         """The content of an object, all of which is read."""
         found = self.now(root)
         tracker = self.shape.tracker
-        if tracker is not None and not is_slot(root):
+        if tracker is not None and (root.__class__ is int or not is_slot(root)):
             tracker.read(root, found)
         return found
 
@@ -104,7 +110,7 @@ class Standing(Store):
         """The content of an object, of which nothing but these slots is read."""
         found = self.now(root)
         tracker = self.shape.tracker
-        if tracker is not None and not is_slot(root):
+        if tracker is not None and (root.__class__ is int or not is_slot(root)):
             for key in keys:
                 tracker.read_slot(root, key, found)
         return found
@@ -142,10 +148,10 @@ class Standing(Store):
         self.shape.spent += len(mark.roots) >> 3
         return Mark(mark.mask, self.numbers.canonical(mark.roots))
 
-    def base(self, roots: Iterable[Root]) -> int:
+    def base(self, roots: frozenset[Root]) -> int:
         """What stands in objects that came from outside, as far as one look tells."""
         found = 0
-        for root in self.numbers.apart(frozenset(roots)):
+        for root in self.numbers.apart(roots):
             content = self.known(root)
             if content is not None:
                 found |= content.base

@@ -18,16 +18,26 @@ from typing import Final, final
 
 from rosward.flow.content import EMPTY, Content, both
 from rosward.flow.marks import Mark, Root, name_of
+from rosward.records import NamedTuple
 
 Page = list[Content | None]
 
-_SHIFT: Final = 5
-_MASK: Final = (1 << _SHIFT) - 1
-_OFFSETS: Final = range(_MASK + 1)
-_BLANK: Final[tuple[None, ...]] = (None,) * (_MASK + 1)
+SHIFT: Final = 5
+"""So many bits of the number of an object say where on a page it stands."""
+MASK: Final = (1 << SHIFT) - 1
+_OFFSETS: Final = range(MASK + 1)
+_BLANK: Final[tuple[None, ...]] = (None,) * (MASK + 1)
 _MOST_COVERED: Final = 30_000
 MELTED: Final = "melted"
 """The first word of what stands for many objects."""
+
+
+class Covered(NamedTuple):
+    """A content that covers another one, from which it differs under these keys, or (None) anywhere."""
+
+    ours: Content
+    theirs: Content
+    keys: set[object] | None
 
 
 @final
@@ -43,7 +53,7 @@ class Numbers:
         self.led: dict[int, frozenset[Root]] = {}  # where such an object leads whatever was written to it
         self.merges: list[tuple[int, tuple[int, ...]]] = []  # each with the numbers that it took the place of
         self.held: set[Root] = set()  # what was ever written into an object
-        self._covered: dict[tuple[int, int], tuple[Content, Content]] = {}
+        self._covered: dict[tuple[int, int], Covered] = {}
         self._apart: dict[frozenset[Root], frozenset[Root]] = {}
         self._named: dict[tuple[int, str], Root] = {}  # the one that stands for others of the same name
         self._canonical: dict[frozenset[Root], frozenset[Root]] = {}
@@ -122,7 +132,7 @@ class Numbers:
         return Content(content.base, Mark(whole.mask, self.canonical(whole.roots)), content.size)
 
     @property
-    def covered(self) -> dict[tuple[int, int], tuple[Content, Content]]:
+    def covered(self) -> dict[tuple[int, int], Covered]:
         """Pairs of contents, by id(), of which the first is known to cover the second; forgotten where they become too many."""
         if len(self._covered) > _MOST_COVERED:
             self._covered.clear()
@@ -153,22 +163,22 @@ class Store:
         number = self._of.get(root)
         if number is None:
             return None
-        page = self._pages.get(number >> _SHIFT)
-        return None if page is None else page[number & _MASK]
+        page = self._pages.get(number >> SHIFT)
+        return None if page is None else page[number & MASK]
 
     def numbered(self, number: int) -> Content | None:
         """The same, by the number of the object."""
-        page = self._pages.get(number >> _SHIFT)
-        return None if page is None else page[number & _MASK]
+        page = self._pages.get(number >> SHIFT)
+        return None if page is None else page[number & MASK]
 
     def _set(self, number: int, content: Content | None) -> None:
-        key = number >> _SHIFT
+        key = number >> SHIFT
         page = self._pages.get(key)
         if key not in self._own:
             page = self._pages[key] = list(_BLANK) if page is None else page.copy()
             self._own.add(key)
         assert page is not None
-        page[number & _MASK] = content
+        page[number & MASK] = content
 
     def items(self) -> Iterator[tuple[Root, Content]]:
         """All objects of which something was written."""
@@ -176,7 +186,7 @@ class Store:
         for key, page in self._pages.items():
             for offset, content in enumerate(page):
                 if content is not None:
-                    yield roots[(key << _SHIFT) + offset], content
+                    yield roots[(key << SHIFT) + offset], content
 
     def differing(self, other: Store) -> list[int]:
         """The numbers of the objects whose contents are not the same thing here and there."""
@@ -184,9 +194,9 @@ class Store:
         pages, others = self._pages, other._pages
         for key in compress(others, map(is_not, map(pages.get, others), others.values())):
             ours = pages.get(key, _BLANK)
-            found += [(key << _SHIFT) + n for n in compress(_OFFSETS, map(is_not, ours, others[key]))]
+            found += [(key << SHIFT) + n for n in compress(_OFFSETS, map(is_not, ours, others[key]))]
         for key in pages.keys() - others.keys():
-            found += [(key << _SHIFT) + n for n in compress(_OFFSETS, map(is_not, pages[key], _BLANK))]
+            found += [(key << SHIFT) + n for n in compress(_OFFSETS, map(is_not, pages[key], _BLANK))]
         return found
 
     def _fold(self) -> bool:

@@ -108,8 +108,8 @@ def _of_model(walker: Walker, op: ops.LoadAttr, body: Body, root: int) -> Mark:
 
 
 def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None:
-    owner = body.registers[op.obj]
-    if op.name == "__dict__":  # the same slots by another way
+    owner, name = body.registers[op.obj], op.name
+    if name == "__dict__":  # the same slots by another way
         body.registers[op.dst] = owner.under(body.pc)
         return
     memory, shape = walker.memory, walker.shape
@@ -117,29 +117,34 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
     several = memory.apart(owner.roots)
     shape.spent += (len(owner.roots) + len(seen.refs)) >> 3
+    known = bool(owner.roots)  # whether it was written wherever it may stand
     for root in several:
-        if not isinstance(root, int) and root[0] == "external":
+        if root.__class__ is tuple and root[0] == "external":  # no address
+            known = known and name in memory.part(root, name).slots
             continue
-        content = memory.part(root, op.name, "__class__")
-        found = content.read(op.name).under(content.slots.get("__class__", NOTHING).mask)
-        if op.name not in content.slots and shape.part(root, op.name) in seen.refs:
-            found = content.any  # which part of a message it is, the message does not say
-        if isinstance(root, int):
-            if op.name not in content.slots and _of_base(seen):
-                found = Mark(found.mask, found.roots | {("of", root, op.name)})
-            if seen.reasons and not seen.refs and not any(map(name_of, found.roots)):
-                found = found.joined(_of_model(walker, op, body, root))
+        content = memory.part(root, name, "__class__")
+        found, slots = content.read(name), content.slots
+        if "__class__" in slots:
+            found = found.under(slots["__class__"].mask)
+        if name not in slots:
+            known = False
+            if shape.part(root, name) in seen.refs:
+                found = content.any  # which part of a message it is, the message does not say
+            if isinstance(root, int) and _of_base(seen):
+                found = Mark(found.mask, found.roots | {("of", root, name)})
+        if seen.reasons and isinstance(root, int) and not seen.refs and not any(map(name_of, found.roots)):
+            found = found.joined(_of_model(walker, op, body, root))
         mask |= found.mask
         roots |= found.roots if seen.opaque else opaque(found)
-    for cls in dict.fromkeys(cls for root in owner.roots for cls in shape.classes(root)):
-        found = memory.part(cls, op.name).read(op.name)
+    for cls in shape.classes_of(owner.roots):
+        found = memory.part(cls, name).read(name)
         mask |= found.mask
         roots |= found.roots if seen.opaque else opaque(found)
     for named in opaque(owner):
-        roots.add(of_library(f"{named[1]}.{op.name}") if named[0] == "external" else part_of(named, op.name))
+        roots.add(of_library(f"{named[1]}.{name}") if named[0] == "external" else part_of(named, name))
     if given is not None:
         mask, roots = mask | given.mask, roots | leads(seen, given)
-    if not owner.roots or any(op.name not in memory.part(r, op.name).slots for r in several):
+    if not known:
         mask |= arising(walker, seen, read=True)  # what was written here, is known
     if walker.narrowed:  # of the one parameter, what its value leads to is of no interest
         whole = memory.deep(Mark(mask, opaque(Mark(0, frozenset(roots)))))

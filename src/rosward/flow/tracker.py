@@ -48,6 +48,8 @@ class Tracker:
 
     def read(self, root: Root, content: Content) -> None:
         """All of an object is read."""
+        if self.reads.get(root, _NO_KEYS) is None:
+            return
         if id(content) not in self._own:
             self._first.setdefault(root, content)
             self.reads[root] = None
@@ -56,6 +58,9 @@ class Tracker:
 
     def read_slot(self, root: Root, key: object, content: Content) -> None:
         """One slot of an object is read."""
+        known = self.reads.get(root, _NO_KEYS)
+        if known is None or key in known:
+            return
         if id(content) not in self._own:
             self._first.setdefault(root, content)
         else:
@@ -64,18 +69,15 @@ class Tracker:
                 return
         _add(self.reads, root, (key,))
 
-    def meets(self, root: Root, ours: Content, theirs: Content) -> Keys:
-        """Two contents of an object are joined: what is read for that, and written."""
-        if ours.base != theirs.base or ours.size != theirs.size or ours.any != theirs.any:
+    def meets(self, root: Root, ours: Content, theirs: Content, keys: Keys) -> None:
+        """Two contents of an object, which differ under these keys, or anywhere, are joined: what is read for that, and written."""
+        if keys is None:
             self.read(root, ours)
             self.read(root, theirs)
-            return None
-        keys = {key for key, mark in theirs.slots.items() if ours.slots.get(key) != mark}
-        keys.update(key for key in ours.slots if key not in theirs.slots)
+            return
         for key in keys:
             self.read_slot(root, key, ours)
             self.read_slot(root, key, theirs)
-        return keys
 
     def write(self, root: Root, content: Content, keys: Iterable[object] | None) -> None:
         """An object has another content from now on, which differs under these keys, or anywhere."""
@@ -127,6 +129,15 @@ class Tracker:
             self.send(sink, None if chain is None else (at + chain)[-DEEP:], mask)
         self.open = self.open or inner.open
         self.beside = self.beside or inner.beside
+
+
+def differing(ours: Content, theirs: Content) -> Keys:
+    """Under which keys two contents of an object differ; None where that is anywhere."""
+    if ours.base != theirs.base or ours.size != theirs.size or ours.any != theirs.any:
+        return None
+    keys = {key for key, mark in theirs.slots.items() if ours.slots.get(key) != mark}
+    keys.update(key for key in ours.slots if key not in theirs.slots)
+    return keys
 
 
 def _add(known: dict[Root, Keys], root: Root, keys: Iterable[object] | None) -> None:

@@ -106,7 +106,7 @@ class Machine(Execution, Protocol):
     def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
         """Call a value; returns what it returns (`Unbound` where no execution returns)."""
 
-    def native(self, name: str, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
+    def call_native(self, name: str, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
         """Call a builtin, or a model in code, on nobody's behalf: the program does not see it."""
 
     def load_attr(self, value: Value, name: str) -> Value:

@@ -49,6 +49,7 @@ class StubMarks:
     def __init__(self, folders: Sequence[Path] = ()) -> None:
         self._folders = (*folders, *OWN)
         self._modules: dict[tuple[Path, str], Scope | None] = {}
+        self._packages: dict[tuple[Path, str], bool] = {}
         self._known: dict[str, FlowMark] = {}
 
     def of(self, name: str) -> FlowMark:
@@ -65,7 +66,7 @@ class StubMarks:
         whole: FlowMark | None = None
         deepest = 0
         for folder in self._folders:
-            for length in range(len(parts), 0, -1):
+            for length in range(self._deepest(folder, parts), 0, -1):
                 module = self._module(folder, "/".join(parts[:length]))
                 if module is None:
                     continue
@@ -104,6 +105,18 @@ class StubMarks:
                 return self._said((*given.alias.split("."), *rest[number:]), depth - 1)
             scope, whole = given, given.mark or whole
         return _Said(None, whole)
+
+    def _deepest(self, folder: Path, parts: tuple[str, ...]) -> int:
+        """So many of these may name a module there: behind what is no folder nothing is looked for."""
+        path = ""
+        for length, part in enumerate(parts, 1):
+            path = f"{path}/{part}" if path else part
+            key = (folder, path)
+            if key not in self._packages:
+                self._packages[key] = disk.is_folder(folder / path)
+            if not self._packages[key]:
+                return length
+        return len(parts)
 
     def _module(self, folder: Path, path: str) -> Scope | None:
         key = (folder, path)

@@ -103,7 +103,7 @@ def complete(machine: Engine, cls: Class, keywords: dict[str, Value]) -> Class:
         machine.hooked = True
     _tell_members(machine, cls)
     if any(b.__class__ is Class and b.enumeration for b in cls.bases):
-        machine.native("enum.make_members", (cls,))
+        machine.call_native("enum.make_members", (cls,))
     hook = subclass_hooks.inherited(machine, cls)
     if hook is not None:
         function = hook.getter if hook.__class__ is Descriptor else hook
@@ -240,7 +240,7 @@ def instantiate(machine: Engine, cls: Class, args: tuple[Value, ...], keywords: 
 def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
     """What `type.__call__` does: `__new__`, then `__init__`."""
     if is_enum(machine, cls) and args:
-        return machine.native("enum.lookup", (cls, args[0]))
+        return machine.call_native("enum.lookup", (cls, args[0]))
     maker = members.lookup(machine, cls, "__new__")
     if maker is not None and maker.__class__ in (Function, Descriptor):
         function = maker.getter if maker.__class__ is Descriptor else maker

@@ -36,7 +36,7 @@ def give(machine: Engine, cls: Class, ref: Ref, args: tuple[Value, ...] | None, 
             machine.place_at(("contents", ref.address), Obj(_FILLED_LATER[name], Native(f"builtins.{name}")))
         )
     else:
-        held = machine.native(f"builtins.{name}", args or (), keywords)
+        held = machine.call_native(f"builtins.{name}", args or (), keywords)
         if held is UNBOUND:
             held = machine.unknown(Cause.ERROR, f"{name}()", name)
     machine.update(ref, machine.obj(ref).with_attr(CONTENTS, held))

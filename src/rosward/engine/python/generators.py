@@ -75,7 +75,7 @@ def advance(machine: Engine, ref: Ref, action: Resumption) -> Stepped:
 def _ask(machine: Engine, ref: Ref, running: Running) -> Stepped:
     """A generator is advanced while it runs: it raises ValueError, or (where it stands for several) is another one, which gave this before."""
     if not machine.obj(ref).many:
-        machine.throw(machine.native("builtins.ValueError", ()))
+        machine.throw(machine.call_native("builtins.ValueError", ()))
         return Stepped(UNBOUND)
     running.asked = True
     machine.summaries.asked += 1

@@ -71,7 +71,7 @@ def load(machine: Engine, value: Value, index: Value) -> Value:
             return machine.unknown(Cause.OPERATION, "[]")
     if value.__class__ is Class:
         if classes.is_enum(machine, value):
-            return machine.native("enum.item", (value, index))
+            return machine.call_native("enum.item", (value, index))
         of_class = metaclasses.method(machine, value, "__getitem__")
         if of_class is not None:
             return calls.call(machine, of_class, (index,), {})

@@ -259,7 +259,7 @@ def iterate(machine: Engine, value: Value) -> Items:
         if obj.kind == "instance":
             return _iterate_instance(machine, value)
     if value.__class__ is Class and classes.is_enum(machine, value):
-        return machine.iterate(machine.native("enum.iterate", (value,)))
+        return machine.iterate(machine.call_native("enum.iterate", (value,)))
     of_class = metaclasses.method(machine, value, "__iter__") if value.__class__ is Class else None
     if of_class is not None:
         return machine.iterate(machine.call(of_class, ()))

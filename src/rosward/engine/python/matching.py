@@ -78,7 +78,7 @@ def _match_args(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     cls = arguments[0]
     found = members.lookup(machine, cls, "__match_args__") if isinstance(cls, Class) else None
     if found is None and _derives(cls, frozenset({"_NamedTuple"})):
-        found = machine.native("collections._keys", (cls,))
+        found = machine.call_native("collections._keys", (cls,))
     return found if isinstance(found, Tuple) else machine.unknown(Cause.OPERATION, "match")
 
 
@@ -87,7 +87,7 @@ _ABSENT: Final = Native("match.absent")
 
 
 def _attribute(machine: Engine, _name: str, arguments: list[Value]) -> Value:
-    return machine.native("builtins.getattr", (*arguments, _ABSENT))
+    return machine.call_native("builtins.getattr", (*arguments, _ABSENT))
 
 
 def _is_there(machine: Engine, _name: str, arguments: list[Value]) -> Value:
@@ -107,7 +107,7 @@ def _rest(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     found: list[Value] = []
     for number, option in enumerate(options(subject)):
         if isinstance(option, Ref) and machine.obj(option).kind == "instance":
-            option = machine.native("builtins.dict", (option,))  # noqa: PLW2901 - what it is a mapping of
+            option = machine.call_native("builtins.dict", (option,))  # noqa: PLW2901 - what it is a mapping of
         if isinstance(option, Ref) and machine.obj(option).kind == "dict":
             obj = machine.obj(option)
             made = machine.allocate(obj.replace(many=False, cls=Native("builtins.dict")), ("rest", number))

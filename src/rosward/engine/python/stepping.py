@@ -177,7 +177,7 @@ def next_of(
         machine.state = ended if item is UNBOUND else join_states(machine.state, ended, machine.fresh_version)
         return join(item, default)
     after, machine.state = machine.state, ended
-    stop = machine.native(f"builtins.{STEP[asynchronous][2]}", () if value == NONE else (value,))
+    stop = machine.call_native(f"builtins.{STEP[asynchronous][2]}", () if value == NONE else (value,))
     machine.throw(stop)
     if item is not UNBOUND:
         machine.state = after

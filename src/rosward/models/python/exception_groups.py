@@ -41,7 +41,7 @@ def wrapped(machine: Machine, value: Value) -> Value:
 
 def made(machine: Machine, cls: Value, exceptions: Tuple, message: Value | None = None) -> Value:
     """A group."""
-    from_text = message if message is not None else machine.native("builtins.str", ())
+    from_text = message if message is not None else machine.call_native("builtins.str", ())
     attrs: dict[str, Value] = {"args": Tuple((from_text, exceptions))}
     return machine.allocate(Obj("instance", cls, attrs=attrs), ("group", exceptions))
 

@@ -168,8 +168,8 @@ def message(machine: Machine, ref: Ref) -> Value:
     if not args:
         return EMPTY
     if len(args) > 1:
-        return machine.native("builtins.repr", (Tuple(args),))
-    return machine.native("builtins.repr" if issubclass(base, KeyError) else "builtins.str", (args[0],))
+        return machine.call_native("builtins.repr", (Tuple(args),))
+    return machine.call_native("builtins.repr" if issubclass(base, KeyError) else "builtins.str", (args[0],))
 
 
 def _system_text(machine: Machine, args: tuple[Value, ...]) -> Value:
@@ -177,7 +177,7 @@ def _system_text(machine: Machine, args: tuple[Value, ...]) -> Value:
     text = _joined(machine, Const("[Errno "), _text(machine, args[0]), Const("] "), _text(machine, args[1]))
     if len(args) < 3:
         return text
-    shown = machine.native("builtins.repr", (args[2],))
+    shown = machine.call_native("builtins.repr", (args[2],))
     return _joined(machine, text, Const(": "), shown)
 
 
@@ -191,7 +191,7 @@ def _group_text(machine: Machine, args: tuple[Value, ...]) -> Value:
 
 
 def _text(machine: Machine, value: Value) -> Value:
-    return machine.native("builtins.str", (value,))
+    return machine.call_native("builtins.str", (value,))
 
 
 def _joined(machine: Machine, *parts: Value) -> Value:
@@ -210,7 +210,7 @@ def described(machine: Machine, ref: Ref) -> Value:
         return machine.unknown(Cause.LIVE, "text of an exception", "str")
     shown: list[Value] = []
     for arg in args:
-        shown += [Const(", "), machine.native("builtins.repr", (arg,))]
+        shown += [Const(", "), machine.call_native("builtins.repr", (arg,))]
     return _joined(machine, Const(f"{name}("), *shown[1:], Const(")"))
 
 
@@ -251,7 +251,7 @@ def _add_note(call: NativeCall) -> Value:
         if notes is None:
             notes = machine.new_list(())
             machine.update(ref, machine.obj(ref).with_attr("__notes__", notes))
-        machine.native("list.append", (notes, *call.args[1:2]))
+        machine.call_native("list.append", (notes, *call.args[1:2]))
     return NONE
 
 

@@ -55,7 +55,7 @@ def _str(call: NativeCall) -> Value:
     if not call.args:
         return EMPTY
     if len(call.args) > 1 or call.keywords:
-        return call.machine.native("bytes.decode", call.args, call.keywords)
+        return call.machine.call_native("bytes.decode", call.args, call.keywords)
     return to_str(call.machine, call.args[0])
 
 

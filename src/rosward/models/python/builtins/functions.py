@@ -172,7 +172,7 @@ def _dir(call: NativeCall) -> Value:
         if isinstance(cls, Class) and any(
             isinstance(b, Class) and "__dir__" in machine.obj(Ref(b.address)).attrs for b in cls.mro
         ):
-            return machine.native("builtins.list", (machine.call(machine.load_attr(option, "__dir__"), ()),))
+            return machine.call_native("builtins.list", (machine.call(machine.load_attr(option, "__dir__"), ()),))
         known = attribute_names(machine, option)
         if not known or not isinstance(cls, Class) or not all(isinstance(b, (Class, Native)) for b in cls.mro):
             return machine.unknown(Cause.LIVE, "dir", "list")

@@ -252,7 +252,7 @@ def _len_of(call: NativeCall, value: Value) -> Value:
             return machine.call(machine.load_attr(value, "__len__"), ())
         return machine.unknown(Cause.OPERATION, "len", "int")
     if isinstance(value, Class):
-        return machine.native("enum.length", (value,))
+        return machine.call_native("enum.length", (value,))
     return unknown_from(machine, "len", "int", value)
 
 

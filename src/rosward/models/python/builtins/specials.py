@@ -54,17 +54,17 @@ def _special(call: NativeCall) -> Value:
     if name in _BINARY:
         return machine.binary(_BINARY[name], receiver, call.args[1])
     if (kind, name) in _IN_PLACE:
-        machine.native(_IN_PLACE[kind, name], call.args[:2])
+        machine.call_native(_IN_PLACE[kind, name], call.args[:2])
         return receiver
     match name:
         case "__len__" | "__iter__" | "__reversed__":
-            return machine.native(f"builtins.{name.strip('_')}", (receiver,))
+            return machine.call_native(f"builtins.{name.strip('_')}", (receiver,))
         case "__contains__":
             return machine.compare("in", call.args[1], receiver)
         case "__getitem__":
             return machine.load_item(receiver, call.args[1])
         case "__delitem__":
-            machine.native(f"{kind}.pop", (receiver, call.args[1]))
+            machine.call_native(f"{kind}.pop", (receiver, call.args[1]))
         case _:
             machine.store_item(receiver, call.args[1], call.args[2])
     return NONE
@@ -74,10 +74,10 @@ def _fill(call: NativeCall) -> Value:
     """`__init__`: a list or set has these elements from now on; a dict gets entries."""
     kind = call.name.partition(".")[0]
     if kind != "dict":
-        call.machine.native(f"{kind}.clear", call.args[:1])
+        call.machine.call_native(f"{kind}.clear", call.args[:1])
     if len(call.args) > 1 or call.keywords:
         update = {"list": "list.extend", "set": "set.update", "dict": "dict.update"}[kind]
-        call.machine.native(update, call.args[:2], call.keywords)
+        call.machine.call_native(update, call.args[:2], call.keywords)
     return NONE
 
 

@@ -111,11 +111,11 @@ def _for_one(machine: Machine, pairs: Sequence[tuple[Value, ...]], value: Value)
 
 def _is_nearer(machine: Machine, value: Value, cls: Value, other: Value) -> bool:
     """Whether a class stands before another one in the order of a value's class."""
-    if machine.native("builtins.issubclass", (cls, other)) == TRUE:
+    if machine.call_native("builtins.issubclass", (cls, other)) == TRUE:
         return True
-    if machine.native("builtins.issubclass", (other, cls)) == TRUE:
+    if machine.call_native("builtins.issubclass", (other, cls)) == TRUE:
         return False
-    order = machine.load_attr(machine.native("builtins.type", (value,)), "__mro__")
+    order = machine.load_attr(machine.call_native("builtins.type", (value,)), "__mro__")
     found = order.items if isinstance(order, Tuple) else ()
     return cls in found and (other not in found or found.index(cls) < found.index(other))
 

@@ -79,7 +79,7 @@ def member_operation(call: NativeCall) -> Value:
     name = call.name.rpartition(".")[2]
     values = [_value_of(call, a) for a in call.args]
     if name in CONVERSIONS:
-        return call.machine.native(f"builtins.{CONVERSIONS[name]}", values[:1])
+        return call.machine.call_native(f"builtins.{CONVERSIONS[name]}", values[:1])
     if len(values) < 2:
         return call.machine.unknown(Cause.OPERATION, name)
     if name in COMPARISONS:
@@ -92,7 +92,7 @@ def member_operation(call: NativeCall) -> Value:
         return made
     if any(int_of(option) is None for option in options(made)):
         return call.machine.unknown(Cause.OPERATION, name)
-    return call.machine.native("enum.lookup", (flag, made))
+    return call.machine.call_native("enum.lookup", (flag, made))
 
 
 def _flag_of(call: NativeCall) -> Class | None:

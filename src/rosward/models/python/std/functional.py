@@ -92,7 +92,7 @@ def _listed(call: NativeCall, items: Iterable[Value] | None, rest: Value | None 
         made = call.machine.new_list((), UNBOUND if rest is None else rest)
     else:
         made = call.machine.new_list(items, None if isinstance(rest, Unbound) else rest)
-    return call.machine.native("builtins.iter", (made,))
+    return call.machine.call_native("builtins.iter", (made,))
 
 
 def _element(items: Items) -> Value:
@@ -113,7 +113,7 @@ def _combine(call: NativeCall) -> Value:
         if repeat is not None and 0 <= repeat <= 8:
             return _listed(call, (), Tuple(tuple(_element(i) for i in inputs) * repeat))
         return _listed(
-            call, (), machine.native("builtins.tuple", (machine.new_list((), join_all(map(_element, inputs))),))
+            call, (), machine.call_native("builtins.tuple", (machine.new_list((), join_all(map(_element, inputs))),))
         )
     items = machine.iterate(call.args[0])
     size = call.arg(1, "r")
@@ -121,7 +121,7 @@ def _combine(call: NativeCall) -> Value:
     element = _element(items)
     if count is None or items.rest is not None or len(items.known) ** min(count, len(items.known)) > 10 * MAX_ITEMS:
         if count is None or not 0 <= count <= 8:
-            return _listed(call, (), machine.native("builtins.tuple", (machine.new_list((), element),)))
+            return _listed(call, (), machine.call_native("builtins.tuple", (machine.new_list((), element),)))
         return _listed(call, (), Tuple((element,) * count))
     function = getattr(itertools, name)
     return _listed(call, [Tuple(t) for t in itertools.islice(function(items.known, count), MAX_ITEMS)])

@@ -161,7 +161,7 @@ def _end(call: NativeCall) -> Value:
         message = "generator didn't stop" if exception == NONE else "generator didn't stop after throw()"
         if not stopped:
             machine.close_generator(generator)
-        machine.throw(machine.native("builtins.RuntimeError", (Const(message),)))
+        machine.throw(machine.call_native("builtins.RuntimeError", (Const(message),)))
         if not stopped:
             return UNBOUND
     return Const(exception != NONE)
