@@ -8,6 +8,7 @@ from random import Random
 from typing import Final
 
 import pytest
+from compiled import interpreted
 
 import rosward
 from rosward.domain.values import Value
@@ -182,6 +183,7 @@ def _recalls(monkeypatch: pytest.MonkeyPatch) -> list[Call]:
     return found
 
 
+@interpreted
 def test_a_handler_sees_what_a_recalled_call_wrote(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "main.py").write_text(_TRIED, encoding="utf-8")
     recalls = _recalls(monkeypatch)

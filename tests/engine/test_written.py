@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
+from compiled import interpreted
 
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
@@ -69,6 +70,7 @@ def test_zeros_keep_their_sign() -> None:
     assert str(again(Const(-0.0)).value) == "-0.0"
 
 
+@interpreted
 def test_a_record_keeps_what_is_none_and_what_is_usual() -> None:
     obj = Obj(
         "list", External("list"), {"x": NONE}, None, Const(1), {Const("k"): TRUE}, frozenset({Const("k")}), many=True
@@ -89,6 +91,7 @@ def test_what_is_not_known_is_not_written() -> None:
         Writer().line(object())
 
 
+@interpreted
 def test_the_operations_of_all_models() -> None:
     """Each code that the models lead to is read as it was lowered, with the numbers of its operations."""
     library = ModelLibrary(own_models())

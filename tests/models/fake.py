@@ -200,7 +200,7 @@ def _covers(machine: FakeMachine, value: Value, concrete: object) -> bool:
     if isinstance(value, Tuple):
         return isinstance(concrete, tuple) and _each(machine, value.items, concrete)
     if isinstance(value, Range):
-        ends = [e.value for e in value if isinstance(e, Const)]
+        ends = [e.value for e in value.fields() if isinstance(e, Const)]
         return isinstance(concrete, range) and concrete == range(*(e for e in ends if isinstance(e, int)))
     assert isinstance(value, Ref), value
     return _covers_object(machine, machine.obj(value), concrete)

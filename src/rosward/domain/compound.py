@@ -3,24 +3,33 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.domain.values import Choice, Reduced, Value
 
 
 class Record(Value):
-    """Compares the named tuple that it is mixed into with others of the same class only."""
+    """Compared by its class and its fields."""
 
     __slots__ = ()
 
-    def __eq__(self, other: object) -> bool:
-        return self.__class__ is other.__class__ and tuple.__eq__(self, other)  # type: ignore[operator]  # it is mixed into tuples
+    def fields(self) -> tuple[object, ...]:
+        """What it is made of, in the order of the constructor."""
+        raise NotImplementedError
 
-    def __ne__(self, other: object) -> bool:
-        return not self == other
+    def __eq__(self, other: object) -> bool:
+        return self is other or (
+            isinstance(other, Record) and self.__class__ is other.__class__ and self.fields() == other.fields()
+        )
 
     def __hash__(self) -> int:
-        return tuple.__hash__(self) ^ hash(self.__class__)  # type: ignore[arg-type]  # as above
+        return hash((self.__class__, self.fields()))
+
+    def __reduce__(self) -> Reduced:
+        return self.__class__, self.fields()
+
+    def __repr__(self) -> str:
+        return f"{self.__class__.__name__}{self.fields()!r}"
 
 
 MAX_PARTS: Final = 20_000
@@ -72,60 +81,124 @@ class Tuple(Value):
         return f"Tuple{self.items!r}"
 
 
-class External(Record, NamedTuple("_External", [("name", "str")])):
+@final
+class External(Record):
     """Something of a library that is neither among the sources nor modelled, by its dotted name: `std_msgs.msg.String`, `cv2.imread`."""
 
-    __slots__ = ()
+    __slots__ = ("name",)
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def fields(self) -> tuple[str]:
+        """In the order of the constructor."""
+        return (self.name,)
 
 
-class Native(Record, NamedTuple("_Native", [("name", "str")])):
+@final
+class Native(Record):
     """A builtin type or function, or one that a model implements in code, by its dotted name: `builtins.str`, `str.join`, `os.path.join`."""
 
-    __slots__ = ()
+    __slots__ = ("name",)
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def fields(self) -> tuple[str]:
+        """In the order of the constructor."""
+        return (self.name,)
 
 
-class BoundMethod(Record, NamedTuple("_BoundMethod", [("receiver", "Value"), ("function", "Value")])):
+@final
+class BoundMethod(Record):
     """`receiver.function`: a callable that passes receiver first."""
 
-    __slots__ = ()
+    __slots__ = ("function", "receiver")
+
+    def __init__(self, receiver: Value, function: Value) -> None:
+        self.receiver = receiver
+        self.function = function
+
+    def fields(self) -> tuple[Value, Value]:
+        """In the order of the constructor."""
+        return self.receiver, self.function
 
 
-class Partial(
-    Record,
-    NamedTuple(
-        "_Partial",
-        [("function", "Value"), ("arguments", "tuple[Value, ...]"), ("keywords", "tuple[tuple[str, Value], ...]")],
-    ),
-):
+@final
+class Partial(Record):
     """`functools.partial`, or a native that needs arguments of its own."""
 
-    __slots__ = ()
+    __slots__ = ("arguments", "function", "keywords")
+
+    def __init__(self, function: Value, arguments: tuple[Value, ...], keywords: tuple[tuple[str, Value], ...]) -> None:
+        self.function = function
+        self.arguments = arguments
+        self.keywords = keywords
+
+    def fields(self) -> tuple[Value, tuple[Value, ...], tuple[tuple[str, Value], ...]]:
+        """In the order of the constructor."""
+        return self.function, self.arguments, self.keywords
 
 
-class Descriptor(
-    Record,
-    NamedTuple(
-        "_Descriptor", [("kind", "str"), ("getter", "Value"), ("setter", "Value | None"), ("deleter", "Value | None")]
-    ),
-):
+@final
+class Descriptor(Record):
     """A wrapped function in a class: kind is 'property', 'cached_property', 'staticmethod' or 'classmethod'."""
 
-    __slots__ = ()
+    __slots__ = ("deleter", "getter", "kind", "setter")
+
+    def __init__(self, kind: str, getter: Value, setter: Value | None, deleter: Value | None) -> None:
+        self.kind = kind
+        self.getter = getter
+        self.setter = setter
+        self.deleter = deleter
+
+    def fields(self) -> tuple[str, Value, Value | None, Value | None]:
+        """In the order of the constructor."""
+        return self.kind, self.getter, self.setter, self.deleter
 
 
-class Super(Record, NamedTuple("_Super", [("after", "Value"), ("receiver", "Value")])):
+@final
+class Super(Record):
     """`super()`: attributes of receiver, looked up behind class `after` in its mro."""
 
-    __slots__ = ()
+    __slots__ = ("after", "receiver")
+
+    def __init__(self, after: Value, receiver: Value) -> None:
+        self.after = after
+        self.receiver = receiver
+
+    def fields(self) -> tuple[Value, Value]:
+        """In the order of the constructor."""
+        return self.after, self.receiver
 
 
-class Slice(Record, NamedTuple("_Slice", [("lower", "Value"), ("upper", "Value"), ("step", "Value")])):
+@final
+class Slice(Record):
     """`lower:upper:step`."""
 
-    __slots__ = ()
+    __slots__ = ("lower", "step", "upper")
+
+    def __init__(self, lower: Value, upper: Value, step: Value) -> None:
+        self.lower = lower
+        self.upper = upper
+        self.step = step
+
+    def fields(self) -> tuple[Value, Value, Value]:
+        """In the order of the constructor."""
+        return self.lower, self.upper, self.step
 
 
-class Range(Record, NamedTuple("_Range", [("start", "Value"), ("stop", "Value"), ("step", "Value")])):
+@final
+class Range(Record):
     """`range(start, stop, step)`."""
 
-    __slots__ = ()
+    __slots__ = ("start", "step", "stop")
+
+    def __init__(self, start: Value, stop: Value, step: Value) -> None:
+        self.start = start
+        self.stop = stop
+        self.step = step
+
+    def fields(self) -> tuple[Value, Value, Value]:
+        """In the order of the constructor."""
+        return self.start, self.stop, self.step

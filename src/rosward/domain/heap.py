@@ -141,21 +141,20 @@ class Obj:
 
     def copy(self) -> Obj:
         """A copy (the fields are shared)."""
-        copy = Obj.__new__(Obj)
-        copy.kind = self.kind
-        copy.cls = self.cls
-        copy.attrs = self.attrs
-        copy.items = self.items
-        copy.rest = self.rest
-        copy.entries = self.entries
-        copy.maybe = self.maybe
-        copy.rest_key = self.rest_key
-        copy.many = self.many
-        copy.payload = self.payload
-        copy.partial = self.partial
-        copy.ends = self.ends
-        copy.joined = None
-        return copy
+        return Obj(
+            self.kind,
+            self.cls,
+            self.attrs,
+            self.items,
+            self.rest,
+            self.entries,
+            self.maybe,
+            self.rest_key,
+            self.many,
+            self.payload,
+            self.partial,
+            self.ends,
+        )
 
     def __repr__(self) -> str:
         return f"Obj({self.kind}, {self.cls}, attrs={list(self.attrs)}, items={self.items}, rest={self.rest})"

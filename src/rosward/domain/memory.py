@@ -70,26 +70,23 @@ class Heap:
 
     __slots__ = ("_changed", "_covered", "_ground", "_own", "pages")
 
-    def __init__(self, objects: Iterable[tuple[int, Obj]] = (), ground: Ground | None = None) -> None:
-        self.pages: dict[int, Page] = {}
-        self._ground = ground
-        self._changed = frozenset[int]()  # the pages with objects that take the place of one of the ground
-        self._covered = Covered()
+    def __init__(
+        self, objects: Iterable[tuple[int, Obj]] = (), ground: Ground | None = None, before: Heap | None = None
+    ) -> None:
         self._own: set[int] = set()  # the pages that no copy shares
+        self.pages: dict[int, Page] = {} if before is None else before.pages.copy()
+        self._ground: Ground | None = ground if before is None else before._ground
+        # The pages with objects that take the place of one of the ground.
+        self._changed: frozenset[int] = frozenset() if before is None else before._changed
+        self._covered: Covered = Covered() if before is None else before._covered
         for address, obj in objects:
             self[address] = obj
 
     def copy(self) -> Heap:
         """An independent copy."""
-        copy = Heap.__new__(Heap)
-        copy.pages = self.pages.copy()
-        copy._ground = self._ground
-        copy._changed = self._changed
-        copy._covered = self._covered
-        copy._own = set()
         if self._own:
             self._own = set()
-        return copy
+        return Heap(before=self)
 
     def get(self, address: int) -> Obj | None:
         """The object at an address."""
@@ -170,13 +167,14 @@ class Heap:
         before = {} if known is None or on_ground else known.pages
         differing = list(compress(others, map(is_not, map(pages.get, others), others.values())))
         if self._changed:
-            differing += self._changed - others.keys()
+            differing += self._changed.difference(others)
         for number in differing:
             ours, theirs = pages.get(number), others.get(number)
             if theirs is not None and before.get(number) is theirs:
                 continue
             if number in on_ground:
-                ours, theirs = self._grounded(number, ours, theirs), self._grounded(number, theirs, ours)
+                here, there = self._grounded(number, ours, theirs), self._grounded(number, theirs, ours)
+                ours, theirs = here, there
             elif ours is None:
                 self._share(number, other)
                 changed = True

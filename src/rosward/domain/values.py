@@ -36,8 +36,10 @@ _PLAIN_HASH: Final = 1 << 60
 
 def _hash_of(value: Plain) -> int:
     """The hash of a constant. Python's own has one value for endlessly many numbers, so that a dict of such numbers would take for ever."""
-    if value.__class__ in (int, float, complex) and not -_PLAIN_HASH < abs(value) < _PLAIN_HASH:
-        return hash((value.__class__, repr(value) if value.__class__ is not int else hex(value)))
+    if value.__class__ is int and not -_PLAIN_HASH < value < _PLAIN_HASH:
+        return hash((int, hex(value)))
+    if value.__class__ is float and not -_PLAIN_HASH < value < _PLAIN_HASH:
+        return hash((float, repr(value)))
     if value.__class__ is complex:
         return hash((complex, repr(value)))
     return hash((value.__class__, value))
@@ -183,6 +185,9 @@ class Ref(Value):
     def __hash__(self) -> int:
         return self.address
 
+    def __reduce__(self) -> Reduced:
+        return Ref, (self.address,)
+
     def __repr__(self) -> str:
         return f"Ref({self.address})"
 
@@ -230,6 +235,10 @@ class Class(Value):
     def __hash__(self) -> int:
         return self.address
 
+    def __reduce__(self) -> Reduced:
+        told = (self.address, self.name, self.qualname, self.module, self.bases, self.mro[1:], self.place, self.stub)
+        return Class, told
+
     def __repr__(self) -> str:
         return f"Class({self.module}.{self.qualname})"
 
@@ -250,6 +259,9 @@ class ModuleValue(Value):
 
     def __hash__(self) -> int:
         return self.address
+
+    def __reduce__(self) -> Reduced:
+        return ModuleValue, (self.address, self.name, self.file)
 
     def __repr__(self) -> str:
         return f"ModuleValue({self.name})"

@@ -39,7 +39,7 @@ class Rest(NamedTuple):
         """A beginning of the same loop, with what its turns may make of it."""
         state = begun.state.copy()
         for address, obj in self.objects:
-            ours = state.heap.get(address)
+            ours: Obj | None = state.heap.get(address)
             both = ours if ours is None else join_objects(ours, obj, merge)
             if both is not None and both is not ours:
                 state.heap[address] = both

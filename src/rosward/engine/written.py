@@ -14,6 +14,7 @@ from __future__ import annotations
 import json
 from collections.abc import Container, Mapping, Sequence
 from sys import intern
+from types import MappingProxyType
 from typing import Any, Final, final
 
 from rosward.domain.compound import (
@@ -23,6 +24,7 @@ from rosward.domain.compound import (
     Native,
     Partial,
     Range,
+    Record,
     Slice,
     Super,
     Tuple,
@@ -71,7 +73,21 @@ _OF_CODE: Final = (
     *("is_generator", "is_coroutine", "is_stub", "annotations", "returns", "doc", "language"),
 )
 _OF_CLASS: Final = ("address", "name", "qualname", "module", "bases", "mro", "place", "stub")
-_OF_OBJECT: Final = tuple(sorted(set(Obj.__slots__) - {"joined"}))
+_OF_OBJECT: Final = (
+    *("attrs", "cls", "ends", "entries", "items", "kind", "many", "maybe", "partial", "payload", "rest", "rest_key"),
+)
+_OF_VALUES: Final[Mapping[type, tuple[str, ...]]] = MappingProxyType(
+    {
+        Tuple: ("items",),
+        Choice: ("options",),
+        Function: ("code", "module", "cells", "defaults", "kwdefaults", "effects"),
+        ModuleValue: ("address", "name", "file"),
+        Ref: ("address",),
+        Text: ("parts", "origins"),
+        Unknown: ("reasons", "hint", "variable"),
+    }
+)
+"""The arguments of the classes that may be compiled: those do not say which they are."""
 
 Lines = Sequence[bytes]
 
@@ -88,6 +104,8 @@ class _Fields(NamedTuple):
 
 
 def _fields(of: Any) -> _Fields:
+    if of in _OF_VALUES:
+        return _Fields(_OF_VALUES[of], ())
     code = of.__init__.__code__
     last = code.co_argcount + code.co_kwonlyargcount
     return _Fields(code.co_varnames[1 : code.co_argcount], code.co_varnames[code.co_argcount : last])
@@ -146,6 +164,8 @@ class Writer:
     def _parts(self, value: Any) -> list[object]:
         if isinstance(value, tuple):
             return list(value)
+        if isinstance(value, Record):
+            return list(value.fields())
         fields = _fields(value.__class__)
         return [getattr(value, name.removesuffix("_")) for name in (*fields.position, *fields.name)]
 
@@ -196,7 +216,7 @@ class Reader:
         if made is Obj:
             return self._object(told)
         parts = [self._read(each) for each in told[1:]]
-        if issubclass(made, tuple):
+        if issubclass(made, (tuple, Record)):
             return made(*parts)
         names = _fields(made)
         count = len(names.position)

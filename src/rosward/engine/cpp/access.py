@@ -141,7 +141,7 @@ def address(machine: Engine, slot: Value) -> Value:
     found: list[Value] = []
     for option in options(slot):
         if isinstance(option, Overloads):
-            plain = option._replace(receiver=None)
+            plain = option.of(None)
             found.append(plain.functions[0] if len(plain.functions) == 1 and not plain.types else plain)
         elif isinstance(option, Ref) and name_of(machine.obj(option).cls) == "array":
             found.append(Pointer(Slot(option, "item", _ZERO)))

@@ -62,7 +62,7 @@ def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
             if symbol.name.rpartition(":")[2].split()[-1] == wanted:
                 functions = linked(machine).symbols.at(own.scope, symbol.name)
                 found = value_of(machine, names.Found(tuple(functions), own.env, own), None)
-                return machine.call(found._replace(receiver=value), ()) if isinstance(found, Overloads) else value
+                return machine.call(found.of(value), ()) if isinstance(found, Overloads) else value
     return value
 
 

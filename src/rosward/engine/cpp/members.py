@@ -80,7 +80,7 @@ def member(
     if kind is SymbolKind.VARIABLE:
         return variable(machine, found)
     value = value_of(machine, found, types or None)
-    return value._replace(receiver=owner) if isinstance(value, Overloads) else value
+    return value.of(owner) if isinstance(value, Overloads) else value
 
 
 _DESIGNATOR: Final = External("<field>")

@@ -65,7 +65,7 @@ def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Va
         wanted = External(enumeration)
         fitting = tuple(f for f in several.functions if _takes(machine, f, wanted))
         if fitting:
-            return calls.invoke(machine, several._replace(functions=fitting), tuple(args))
+            return calls.invoke(machine, several.only(fitting), tuple(args))
     return None
 
 

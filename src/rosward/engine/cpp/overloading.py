@@ -77,7 +77,7 @@ def of_constness(several: Overloads, *, constant: bool) -> Overloads:
             for f, s in zip(several.functions, own, strict=True)
             if s is None or not s.constant or not any(_same(s, other) for other in others)
         ]
-    return several._replace(functions=tuple(kept)) if kept else several
+    return several.only(tuple(kept)) if kept else several
 
 
 def _versions(machine: Engine, best: list[Function]) -> list[Function]:

@@ -88,7 +88,7 @@ _CLASS_METHODS: Final = {"dict.fromkeys": "from_keys"}
 def _of_builtin(machine: Engine, value: Value, name: str) -> Value:
     kind = type_name(value)
     if isinstance(value, Slice) and name in ("start", "stop", "step"):
-        return value[("start", "stop", "step").index(name)]
+        return value.fields()[("start", "stop", "step").index(name)]
     if name == "__class__":
         return Native(f"builtins.{kind}")
     if isinstance(value, Const) and value == NONE:

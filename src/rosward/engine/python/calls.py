@@ -217,11 +217,11 @@ def _descriptor(args: Arguments, name: str) -> Value:
     """`@x.getter`, `@x.setter`, `@x.deleter`."""
     found, function = args[0], args[1] if len(args) > 1 else NONE
     if found.__class__ is Descriptor and name == "descriptor.getter":
-        return found._replace(getter=function)
+        return Descriptor(found.kind, function, found.setter, found.deleter)
     if found.__class__ is Descriptor and name == "descriptor.setter":
-        return found._replace(setter=function)
+        return Descriptor(found.kind, found.getter, function, found.deleter)
     if found.__class__ is Descriptor and name == "descriptor.deleter":
-        return found._replace(deleter=function)
+        return Descriptor(found.kind, found.getter, found.setter, function)
     return found
 
 

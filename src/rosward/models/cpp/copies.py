@@ -56,7 +56,7 @@ def write(machine: Machine, slot: Value, value: Value, *, weak: bool = False) ->
 
 
 def _write(machine: Machine, slot: Slot, value: Value, *, weak: bool) -> None:
-    base, kind, key = slot
+    base, kind, key = slot.fields()
     if not isinstance(base, Ref):
         _write_character(machine, slot, value, weak=weak)
     elif kind == "cell":
@@ -139,7 +139,7 @@ def _copied(machine: Machine, value: Value, known: dict[int, Value], depth: int)
     if value.__class__ is Function and value.code.signature is not None and value.code.signature.owned:
         return with_own_cells(machine, value, copied)
     if value.__class__ is Partial and value.function.__class__ is Function:
-        return value._replace(function=_copied(machine, value.function, known, depth))
+        return Partial(_copied(machine, value.function, known, depth), value.arguments, value.keywords)
     return value
 
 

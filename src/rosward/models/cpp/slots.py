@@ -48,7 +48,7 @@ def _is_end(value: Value) -> bool:
 
 
 def _read(machine: Machine, slot: Slot) -> Value:
-    base, kind, key = slot
+    base, kind, key = slot.fields()
     if base.__class__ is Slot:
         base = read(machine, base)
     if base.__class__ is Choice:

@@ -212,13 +212,13 @@ def int_of(value: Value | None) -> int | None:
 
 def range_of(value: Range) -> range | None:
     """The Python range that a range surely is; what is no range raises."""
-    start, stop, step = (int_of(e) for e in value)
+    start, stop, step = (int_of(e) for e in value.fields())
     return None if start is None or stop is None or step is None else run(range, start, stop, step)
 
 
 def slice_of(value: Slice) -> slice | None:
     """The Python slice that a slice surely is."""
-    ends = [plain(e) for e in value]
+    ends = [plain(e) for e in value.fields()]
     known = [e for e in ends if e is None or isinstance(e, int)]
     return slice(*known) if len(known) == 3 else None
 
@@ -237,7 +237,7 @@ def origins(*values: Value | None) -> Origins:
         elif value.__class__ is Tuple:
             found |= origins(*value.items)
         elif value.__class__ is Range or value.__class__ is Slice:
-            found |= origins(*value)
+            found |= origins(*value.fields())
     return found
 
 

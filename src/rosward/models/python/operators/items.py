@@ -41,7 +41,9 @@ from rosward.models.python.strings import text_parts
 def load_item(machine: Machine, value: Value, index: Value) -> Value:
     """value[index]."""
     if isinstance(index, Slice):
-        return spread_fresh(machine, "slice", lambda v, a, b, c: _slice(machine, v, Slice(a, b, c)), value, *index)
+        return spread_fresh(
+            machine, "slice", lambda v, a, b, c: _slice(machine, v, Slice(a, b, c)), value, *index.fields()
+        )
 
     def one(v: Value, i: Value) -> Value | Fresh:
         return _slice(machine, v, i) if isinstance(i, Slice) else _load(machine, v, i)
@@ -63,7 +65,7 @@ def _load(machine: Machine, value: Value, index: Value) -> Value:
     if isinstance(value, Range):
         numbers, number = range_of(value), int_of(index)
         if number is None or numbers is None:
-            return unknown_from(machine, "[]", "int", *value, index)
+            return unknown_from(machine, "[]", "int", *value.fields(), index)
         return from_python(machine, run(operator.getitem, numbers, number), origins(value, index), "[]")
     if isinstance(value, Ref):
         return _of_object(machine, value, index)
@@ -118,7 +120,7 @@ def _slice(machine: Machine, value: Value, index: Slice) -> Value | Fresh:
         return with_origins(_text_slice(machine, value, index), source | origins(value))
     if isinstance(value, Const):
         if ends is None:
-            return unknown_from(machine, "[:]", value.value.__class__.__name__, *index)
+            return unknown_from(machine, "[:]", value.value.__class__.__name__, *index.fields())
         return from_python(machine, run(operator.getitem, value.value, ends), source | origins(value), "[:]")
     if isinstance(value, Tuple):
         if ends is not None:
@@ -142,7 +144,7 @@ def _slice(machine: Machine, value: Value, index: Slice) -> Value | Fresh:
 def _range_slice(machine: Machine, value: Range, ends: slice) -> Value:
     numbers = range_of(value)
     if numbers is None:
-        return unknown_from(machine, "[:]", "range", *value)
+        return unknown_from(machine, "[:]", "range", *value.fields())
     part, source = numbers[ends], origins(value)
     return Range(Const(part.start, source), Const(part.stop, source), Const(part.step, source))
 
@@ -154,7 +156,7 @@ def _text_slice(machine: Machine, value: Value, index: Slice) -> Value:
     unknown_ends = [v for v, n in ((index.lower, start), (index.upper, stop)) if n is None and v != NONE]
     parts = parts_of(value)
     if unknown_ends or not step_known or (start is not None and start < 0 and stop is not None):
-        return unknown_from(machine, "[:]", "str", value, *index)
+        return unknown_from(machine, "[:]", "str", value, *index.fields())
     if start is not None and start < 0:
         return make(text_parts.mirror(text_parts.take_front(text_parts.mirror(parts), -start)))
     found = [parts]

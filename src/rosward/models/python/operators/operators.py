@@ -329,7 +329,7 @@ def series(machine: Machine, value: Value) -> Series:
 def _iterate_range(machine: Machine, value: Range) -> Items:
     numbers = range_of(value)
     if numbers is None:
-        return Items((), unknown_from(machine, "range", "int", *value))
+        return Items((), unknown_from(machine, "range", "int", *value.fields()))
     if len(numbers[: MAX_RANGE + 1]) > MAX_RANGE:
         return Items((), machine.unknown(Cause.LIMIT, "range", "int"))
     source = origins(value)

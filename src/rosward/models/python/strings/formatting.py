@@ -123,7 +123,7 @@ def _represent(machine: Machine, value: Value, depth: int) -> Value:
     if isinstance(value, Unknown) and value.hint == "int":
         return value
     if isinstance(value, Range):
-        ends = value if int_of(value.step) != 1 else value[:2]
+        ends: tuple[Value, ...] = value.fields() if int_of(value.step) != 1 else (value.start, value.stop)
         return joined(machine, [Const("range("), *_separated([piece(machine, e) for e in ends]), Const(")")])
     if depth and isinstance(value, Tuple):
         end = ",)" if len(value.items) == 1 else ")"
