@@ -297,8 +297,8 @@ class Standing(Store):
                     known.add(id(whole.roots))
                     more |= canonical(whole.roots) - nodes
                 more.update(self._holds(root))
-            several = len(found) - before  # of those that are one, most cost little
-            self.shape.spent += several + ((len(work) - several) >> 3)
+            several = len(found) - before  # of those that are one, each costs less
+            self.shape.spent += several + ((len(work) - several) >> 1)
             if len(seen) > _MOST:
                 raise TooLongError
             work = more - seen.keys()
