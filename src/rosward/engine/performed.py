@@ -55,7 +55,7 @@ def performed(
     """The natives that a called value leads to, unless the operation, which reads these registers, calls them as it is written."""
     op = frame.op
     written = isinstance(op, ops.Call) and bool(frame.registers) and frame.registers[op.func] is function
-    plain = isinstance(op, ops.Call) and not any(a.kind in ("star", "doublestar") for a in op.arguments)
+    plain = isinstance(op, ops.Call) and not op.spreads
     for call in _natives(_Call(function, args, keywords, False)):
         if not (written and (call.native.__class__ is Unknown or (plain and not call.given))):
             told = handed(standing(frame.registers, read, (*call.args, *call.keywords.values())))

@@ -210,8 +210,8 @@ def _defaults(function: Function, made: Mark) -> dict[str, Mark]:
 def _spread_size(walker: Walker, op: ops.Op, body: Body) -> int:
     """How many arguments `*` and `**` give, and so which of them is which."""
     size = 0
-    for argument in op.arguments if isinstance(op, ops.Call) else ():
-        if argument.kind in ("star", "doublestar"):
+    for argument in op.arguments if isinstance(op, ops.Call) and op.spreads else ():
+        if argument.is_spread:
             mark = body.registers[argument.register]
             size |= mark.mask | walker.memory.size(mark.roots)
     return size
@@ -230,11 +230,11 @@ def _handed(walker: Walker, op: ops.Op, body: Body, handed: Handed, name: str = 
             mark = body.registers[register]
             found = found.joined(walker.memory.read(mark.roots, name)).under(mark.mask)
         return found
-    if handed.refs and not handed.more and isinstance(op, ops.Call):  # a receiver, or an object that is made here
-        chosen = body.registers[op.func].mask
-        return found.under(demoted(chosen) if len(handed.refs) == 1 and walker.memory.is_one(handed.refs) else chosen)
     if handed.refs and not handed.more:
-        return found
+        if not isinstance(op, ops.Call):
+            return found
+        chosen = body.registers[op.func].mask  # of a receiver, or an object that is made here
+        return found.under(demoted(chosen) if len(handed.refs) == 1 and walker.memory.is_one(handed.refs) else chosen)
     for register in reads(op):
         mark = body.registers[register]
         found = found.joined(Mark(walker.memory.deep(mark), frozenset(r for r in mark.roots if not isinstance(r, int))))
@@ -293,10 +293,9 @@ def _is_native(callee: Value) -> bool:
 
 def _as_written(op: ops.Call, functions: Iterable[Value]) -> Iterator[Value]:
     """What is called; not the natives of which the operation does not say what they are given (`_performed`)."""
-    plain = not any(a.kind in ("star", "doublestar") for a in op.arguments)
     for option in (o for f in functions for o in options(f)):
         for callee in callees((option,)):
-            if (plain and not isinstance(option, Partial)) or not _is_native(callee):
+            if not (op.spreads or isinstance(option, Partial)) or not _is_native(callee):
                 yield callee
 
 

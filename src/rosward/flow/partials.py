@@ -22,7 +22,7 @@ def make(call: NativeCall) -> Mark:
     slots: dict[object, Mark] = {}
     rest, several = NOTHING, False
     for number, (argument, mark) in enumerate(call.given()):
-        if argument.kind in ("star", "doublestar"):
+        if argument.is_spread:
             several, rest = True, rest.joined(elements(call.walker, mark))
         elif argument.kind == "keyword":
             slots[argument.name] = mark

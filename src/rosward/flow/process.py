@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The flows of one process: its main body, then its callbacks in any order, until nothing changes.
 
-from rosward.effects.flows import Flow, ProcessFlows, Source
 What each sends is a sink, with the sources that it depends on. Where the walk, or the interpretation before it, reached a limit, a sink may
 hold every source.
 """

@@ -65,9 +65,8 @@ class Shape:
         self.placed: set[int] = set()  # what was made since the callback that runs began
         self.trail: Trail | None = None  # by which lines sources come along
         self.tracker: Tracker | None = None  # of the body that is being walked through
-        self.ended: set[Root] = (
-            set()
-        )  # the variables of functions that do not run, in languages where these end with them
+        # The variables of functions that do not run, in languages where these end with them.
+        self.ended: set[Root] = set()
         self.several: set[int] = set()  # what was made again while the one before was still held
         self.parameters = {n for effect in machine.log.parameters if (n := text_of(effect.name))}
         self.entities = tuple(machine.log.entities)
@@ -77,9 +76,8 @@ class Shape:
             self._parts.setdefault(owner, []).append(address)
         self._inside = {owner: address for address, owner in self.inner.items()}
         self._named: dict[str, list[tuple[int, str]]] | None = None
-        self.merges_objects = (
-            machine.linked is None
-        )  # in C++ parts have their place in a whole: only what libraries made is merged
+        # In C++ parts have their place in a whole: only what libraries made is merged.
+        self.merges_objects = machine.linked is None
         self._said = marks_of(machine)
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}

@@ -99,7 +99,7 @@ class Standing(Store):
 
     def _unwritten(self, root: Root) -> Content:
         """The content of an object to which nothing was written: what it is a part of says it."""
-        if root.__class__ is tuple and root[0] == "slot":  # no address
+        if is_slot(root):
             return Content(any=self.at(root))
         owner = part_of(root, self.shape.inner)
         mask = 0 if owner is None else self.now(owner[0]).read(owner[1]).mask

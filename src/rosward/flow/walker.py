@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The walk through the code of a process: the second component of its interpretation, over what the first has seen.
 
-from rosward.effects.flows import Source
 Which operations run, what objects an attribute leads to, whom a call reaches: all that is known (`engine/seen.py`). What is new is what each
 value depends on. Straight operations are in `straight.py`, calls in `calls.py`, blocks in `blocks.py`.
 """

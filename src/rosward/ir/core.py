@@ -216,12 +216,17 @@ class Argument:
         self.register = register
         self.name = name
 
+    @property
+    def is_spread(self) -> bool:
+        """Whether it gives any number of arguments."""
+        return self.kind in ("star", "doublestar")
+
 
 @final
 class Call(Op):
-    """dst = func(arguments…). `simple` holds the registers where all arguments are positional, else None."""
+    """dst = func(arguments…). `simple` holds the registers where all arguments are positional, else None; `spreads`: `*` or `**` gives some."""
 
-    __slots__ = ("arguments", "dst", "func", "simple")
+    __slots__ = ("arguments", "dst", "func", "simple", "spreads")
 
     def __init__(self, line: int, column: int, dst: int, func: int, arguments: tuple[Argument, ...]) -> None:
         super().__init__(line, column)
@@ -230,6 +235,7 @@ class Call(Op):
         self.arguments = arguments
         simple = all(a.kind == "positional" for a in arguments)
         self.simple: tuple[int, ...] | None = tuple(a.register for a in arguments) if simple else None
+        self.spreads = not simple and any(a.is_spread for a in arguments)
 
 
 @final

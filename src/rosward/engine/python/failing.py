@@ -282,7 +282,7 @@ def _call(machine: Engine, op: ops.Call, frame: Frame) -> bool:
     given: list[Value] = []
     for argument in op.arguments:
         value = frame.registers[argument.register]
-        if argument.kind in ("star", "doublestar"):
+        if argument.is_spread:
             if not _is_exact(machine, value):
                 return True
             given.extend(value.items if value.__class__ is Tuple else _elements(machine, value))
