@@ -201,7 +201,7 @@ def test_nothing_huge_is_computed(op: str, left: Any, right: Any) -> None:
     machine.native("builtins.eval", Const("(" * 5000))
     machine.native("builtins.bytes", Const(10**10))
     machine.native("builtins.int", Const("9" * 100_000))
-    assert time.process_time() - start < 1
+    assert time.process_time() - start < 5
 
 
 def test_growth_is_bounded() -> None:

@@ -179,7 +179,7 @@ def test_cheap_means_cheap(machine: FakeMachine) -> None:
     start = time.process_time()
     for pattern in ("a*a*a*b", "(a*)(a*)(a*)b", ".*.*.*=", "a{1,50}a{1,50}a{1,50}b"):
         machine.native("re._find", Const("search"), Const(pattern), Const(0), Const("a" * 200))
-    assert time.process_time() - start < 1
+    assert time.process_time() - start < 5
 
 
 def test_json_and_yaml_of_constants(machine: FakeMachine) -> None:

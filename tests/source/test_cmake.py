@@ -187,7 +187,7 @@ def test_what_stands_before_the_break_counts(tmp_path: Path) -> None:
 def test_descriptions_that_would_not_end(tmp_path: Path, text: str | bytes) -> None:
     start = time.process_time()
     project(tmp_path, text, **{"x.cmake": "include(x.cmake)\ninclude(x.cmake)"})
-    assert time.process_time() - start < 3
+    assert time.process_time() - start < 10
 
 
 def test_arguments_are_kept_as_written() -> None:
