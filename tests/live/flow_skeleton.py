@@ -15,7 +15,9 @@ import copy
 import dataclasses
 import enum
 import functools
+import hashlib
 import heapq
+import io
 import itertools
 import json
 import math
@@ -48,6 +50,50 @@ class Refused(Exception):
 
 def free(p, q):
     return p + q * 0.5
+
+
+free.last = 0.0
+
+
+class Special:
+    def __init__(self, value):
+        self.value = value
+
+    def __float__(self):
+        return self.value * 2.0
+
+    def __int__(self):
+        return int(self.value)
+
+    def __index__(self):
+        return int(self.value > 1.0)
+
+    def __divmod__(self, other):
+        return self.value, other
+
+    def __iter__(self):
+        return iter([self.value, 1.0])
+
+    def __reversed__(self):
+        return iter([1.0, self.value])
+
+    def __hash__(self):
+        return int(self.value) % 7
+
+    def __eq__(self, other):
+        return self.value == other.value
+
+
+def digested(text):
+    digest = hashlib.md5()
+    digest.update(text.encode())
+    return float(digest.digest()[0])
+
+
+def through_text(value):
+    text = io.StringIO()
+    json.dump({'value': value}, text)
+    return json.loads(text.getvalue())['value']
 
 
 def remember(p, kept=[]):

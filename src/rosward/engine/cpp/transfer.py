@@ -280,6 +280,10 @@ def _unknown_value(machine: Engine, op: cpp.UnknownValue, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     if op.cause == "syntax" and not frame.stub:
         machine.report("RW206", f"this statement is not understood: {op.subject}")
+    if op.subject == "goto" and not frame.stub:
+        machine.report(
+            "RW206", "goto is not followed: what comes behind it, and behind its label, may do something else"
+        )
     frame.registers[op.dst] = machine.unknown(_CAUSES[op.cause], op.subject)
 
 

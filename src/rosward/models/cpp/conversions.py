@@ -59,7 +59,7 @@ def new_container(machine: Machine, type_: Value, series: Series, site: object =
 
 def new_set(machine: Machine, type_: Value, series: Series, site: object = None) -> Ref:
     """A new set of a type, of keys."""
-    made = unique(machine, series, several="multi" in name_of(type_))
+    made = unique(machine, series, type_, several="multi" in name_of(type_))
     return new_container(machine, type_, made, site)
 
 

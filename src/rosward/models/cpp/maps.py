@@ -248,7 +248,7 @@ def _bound(call: NativeCall) -> Value:
     found: list[Value] = []
     for ref in _maps(call):
         key, keys = _key(machine, ref, call.args[1]), keys_in_order(machine, ref)
-        order = in_order([*keys.known, key]) if keys.rest is None else None
+        order = in_order([*keys.known, key], machine.obj(ref).cls) if keys.rest is None else None
         if order is None:
             found.extend(entry(ref, k) for k in keys.known)
             found.append(entry(ref, NONE) if keys.rest is None else unknown_from(machine, "bound", "", key))

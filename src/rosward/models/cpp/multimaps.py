@@ -44,7 +44,7 @@ def _keys(machine: Machine, series: Series) -> list[Value]:
 
 
 def _sorted(machine: Machine, ref: Ref, series: Series) -> None:
-    order = in_order(_keys(machine, series)) if series.exact else None
+    order = in_order(_keys(machine, series), cls_of(machine, ref)) if series.exact else None
     known = "unordered" in name_of(cls_of(machine, ref)) and series.exact
     if order is not None:
         write_series(machine, ref, Series(tuple(series.head[n] for n in order)))
@@ -94,9 +94,10 @@ def _bounds(call: NativeCall, ref: Ref) -> tuple[Value, Value] | None:
     series = machine.obj(ref).series()
     key = key_of(machine, convert(machine, call.args[1], argument(cls_of(machine, ref), 0)))
     keys = _keys(machine, series)
-    if not series.exact or in_order([*keys, key]) is None:
+    cls = cls_of(machine, ref)
+    if not series.exact or in_order([*keys, key], cls) is None:
         return None
-    start = sum(1 for other in keys if in_order([other, key]) == [0, 1] and other != key)
+    start = sum(1 for other in keys if in_order([other, key], cls) == [0, 1] and other != key)
     stop = start + keys.count(key)
     size = len(keys)
     return iterator(ref, Const(start) if start < size else NONE), iterator(ref, Const(stop) if stop < size else NONE)

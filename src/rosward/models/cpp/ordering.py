@@ -13,6 +13,7 @@ from rosward.domain.choice import join_all
 from rosward.domain.compound import Tuple
 from rosward.domain.series import Series
 from rosward.domain.values import Choice, Const, Text, Unknown, Value
+from rosward.models.cpp.types import argument, name_of
 from rosward.models.native import Machine
 from rosward.models.python.operators.compare import equal
 from rosward.models.python.plain import NOT_PLAIN, plain
@@ -22,19 +23,33 @@ __all__ = ["in_order", "unique"]
 _MOST: Final = 300
 
 
-def in_order(values: list[Value]) -> list[int] | None:
-    """The indices of values in ascending order; None where it is not known, or they cannot be compared."""
+def in_order(values: list[Value], cls: Value | None = None) -> list[int] | None:
+    """The indices of values in the order of a container of this class, else ascending; None where it is not known, or they cannot be compared."""
+    if len(values) < 2:
+        return list(range(len(values)))
+    reverse = False if cls is None else _is_reversed(cls)
     ranks: list[Any] = [plain(value) for value in values]
-    if any(rank is NOT_PLAIN or rank is None for rank in ranks):
-        return list(range(len(values))) if len(values) < 2 else None
+    if reverse is None or any(rank is NOT_PLAIN or rank is None for rank in ranks):
+        return None
     try:
-        return sorted(range(len(values)), key=lambda n: ranks[n])
+        return sorted(range(len(values)), key=lambda n: ranks[n], reverse=reverse)
     except TypeError:
         return None
 
 
-def unique(machine: Machine, series: Series, *, several: bool = False) -> Series:
-    """The elements of a set made of these, in order; `several`: of one that keeps equal ones."""
+def _is_reversed(cls: Value) -> bool | None:
+    """Whether a container has what it holds in descending order; None where it is compared by something of the program."""
+    compared = name_of(argument(cls, _COMPARED.get(name_of(cls), _NOWHERE)))
+    return compared == "std.greater" if compared in ("auto", "std.less", "std.greater") else None
+
+
+_NOWHERE: Final = 9
+_COMPARED: Final = {"std.map": 2, "std.multimap": 2, "std.priority_queue": 2, "std.set": 1, "std.multiset": 1}
+"""Which argument of a template says how its keys are compared."""
+
+
+def unique(machine: Machine, series: Series, cls: Value, *, several: bool = False) -> Series:
+    """The elements of a set of this class made of these, in order; `several`: of one that keeps equal ones."""
     if series.exact and len(series.head) < 2:
         return series
     if series.middle is not None or len(series.head) > _MOST:
@@ -47,7 +62,7 @@ def unique(machine: Machine, series: Series, *, several: bool = False) -> Series
         if answers - {False} or _varies(item):
             return Series((), join_all(series.head))
         kept.append(item)
-    order = in_order(kept)
+    order = in_order(kept, cls)
     if order is None:
         return Series(tuple(kept)) if len(kept) < 2 or any(_is_object(v) for v in kept) else Series((), join_all(kept))
     return Series(tuple(kept[n] for n in order))

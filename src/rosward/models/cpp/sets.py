@@ -43,7 +43,7 @@ def _several(machine: Machine, ref: Ref) -> bool:
 
 def _add(machine: Machine, ref: Ref, keys: Series) -> None:
     together = concatenated((machine.obj(ref).series(), keys))
-    write_series(machine, ref, unique(machine, together, several=_several(machine, ref)))
+    write_series(machine, ref, unique(machine, together, machine.obj(ref).cls, several=_several(machine, ref)))
 
 
 def _found(machine: Machine, ref: Ref, key: Value) -> bool | None:
@@ -153,7 +153,7 @@ def _bound(call: NativeCall) -> Value:
     results: list[Value] = []
     for ref in receivers(call):
         key, series = _key(machine, ref, call.args[1]), machine.obj(ref).series()
-        order = in_order([*series.head, key]) if series.exact else None
+        order = in_order([*series.head, key], machine.obj(ref).cls) if series.exact else None
         if order is None:
             results.append(iterator(ref, unknown_from(machine, "bound", "int", key)))
             continue

@@ -218,7 +218,7 @@ def _edge(call: NativeCall) -> Value:
             found.append(place_of(machine, ref, Const(0)))
             continue
         if name == "top" and name_of(cls_of(machine, ref)) == "std.priority_queue":
-            order = in_order(list(series.head)) if series.exact else None
+            order = in_order(list(series.head), cls_of(machine, ref)) if series.exact else None
             best = series.head[order[-1]] if order else series.element()
             found.append(best if best is not None else lost(call))
             continue

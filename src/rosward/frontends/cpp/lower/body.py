@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Final, Literal, final
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.survey import Survey, word
 from rosward.frontends.cpp.lower.undecided import Undecided
-from rosward.frontends.cpp.lower.variables import Loop, Returns, Scope, Variable
+from rosward.frontends.cpp.lower.variables import Jumps, Loop, Returns, Scope, Variable
 from rosward.ir.control import Break, Continue, Raise, Return
 from rosward.ir.core import NO_REGISTER, Const, Constant, LoadCell, Move, StoreCell
 from rosward.ir.cpp import (
@@ -110,6 +110,7 @@ class Body:
         "free",
         "free_register",
         "has_this",
+        "jumps",
         "late",
         "loops",
         "ops",
@@ -137,6 +138,7 @@ class Body:
         self.cell_names: set[str] = set()
         self.free: list[str] = []
         self.late: list[LoadCell | StoreCell | CellSlot | MakeLambda] = []  # operations that name free cells
+        self.jumps: list[Jumps] = []
         self.loops: list[Loop] = []
         self.returns = Returns()
         self.has_this = False

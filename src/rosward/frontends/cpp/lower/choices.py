@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from rosward.frontends.cpp.lower import jumps
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.prepared import Choice
 from rosward.ir.control import If
@@ -23,6 +24,18 @@ if TYPE_CHECKING:
 
 def statements(body: Body, nodes: Sequence[Node]) -> None:
     """Lower statements into the current block."""
+    found = jumps.parts(nodes)
+    if len(found) > 1:
+        jumps.in_parts(body, found, lambda part: _statements(body, part), lambda kind: _leave(body, nodes[-1], kind))
+    else:
+        _statements(body, nodes)
+
+
+def _leave(body: Body, node: Node, kind: str) -> None:
+    body.shared.statements[f"{kind}_statement"](body, node)
+
+
+def _statements(body: Body, nodes: Sequence[Node]) -> None:
     if not body.shared.choices:
         for node in nodes:
             body.statement(node)

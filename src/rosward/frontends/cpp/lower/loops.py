@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.choices import statements
 from rosward.frontends.cpp.lower.declarations import bind
+from rosward.frontends.cpp.lower.jumps import behind_loop
 from rosward.frontends.cpp.lower.narrowing import Fact, Outcome, Subject, assumed, condition
 from rosward.frontends.cpp.lower.operators import choose
 from rosward.frontends.cpp.lower.statements import branch, continue_, tested
@@ -39,6 +40,8 @@ if TYPE_CHECKING:
 
 _STEP: Final = 200
 """Nodes in what is done before each turn, which is lowered once for each `continue`."""
+Statement = Callable[[Body, "Node"], None]
+
 _AUTO: Final = frozenset({"placeholder_type_specifier", "auto"})
 
 
@@ -286,10 +289,20 @@ def _none(body: Body, node: Node, cases: list[Node], value: int) -> int:
     return found
 
 
+def _then_jumps(lower: Statement) -> Statement:
+    """A loop, and the jumps that have left it."""
+
+    def statement(body: Body, node: Node) -> None:
+        lower(body, node)
+        behind_loop(body, node)
+
+    return statement
+
+
 STATEMENTS: Final = {
-    "while_statement": _while,
-    "do_statement": _do,
-    "for_statement": _for,
-    "for_range_loop": _range,
-    "switch_statement": _switch,
+    "while_statement": _then_jumps(_while),
+    "do_statement": _then_jumps(_do),
+    "for_statement": _then_jumps(_for),
+    "for_range_loop": _then_jumps(_range),
+    "switch_statement": _then_jumps(_switch),
 }

@@ -15,6 +15,7 @@ from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.choices import statements
 from rosward.frontends.cpp.lower.declarations import condition
 from rosward.frontends.cpp.lower.initialisers import construct, given
+from rosward.frontends.cpp.lower.jumps import goto, leaves
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.narrowing import Outcome
 from rosward.frontends.cpp.lower.survey import word
@@ -242,6 +243,8 @@ def _break(body: Body, node: Node) -> None:
     if not body.loops:
         body.unknown(node, "syntax")
         return
+    if leaves(body, node, "break"):
+        return
     body.end_objects(node, body.scopes[body.loops[-1].scopes :])
     body.emit(Break(*body.place(node)))
 
@@ -251,6 +254,8 @@ def continue_(body: Body, node: Node) -> None:
     loop = body.loops[-1] if body.loops else None
     if loop is None or (loop.is_switch and loop.flag == NO_REGISTER):
         body.unknown(node, "syntax")
+        return
+    if leaves(body, node, "continue"):
         return
     body.end_objects(node, body.scopes[loop.scopes :])
     if loop.is_switch:
@@ -282,7 +287,7 @@ def _labeled(body: Body, node: Node) -> None:
 
 
 def _language(body: Body, node: Node) -> None:
-    body.unknown(node, "language", node.type.partition("_")[0] if node.type == "goto_statement" else "")
+    body.unknown(node, "language")
 
 
 def _language_expression(body: Body, node: Node, _want: str) -> int:
@@ -304,7 +309,7 @@ STATEMENTS: Final = {
     "continue_statement": continue_,
     "labeled_statement": _labeled,
     "attributed_statement": _labeled,
-    "goto_statement": _language,
+    "goto_statement": goto,
     "co_return_statement": _language,
     "co_yield_statement": _language,
     "qualified_identifier": _bare,

@@ -89,6 +89,22 @@ class Loop(NamedTuple):
     flag: int = NO_REGISTER
 
 
+class Jumps(NamedTuple):
+    """A block with labels that is being lowered: how many loops and blocks are outside, the number of each part, and the registers that say
+    from which part on the next turn goes, whether there is one, and what the loop around does behind it.
+
+    `depths`: how many loops are outside of the jumps that were met.
+    """
+
+    loops: int
+    scopes: int
+    numbers: dict[str, int]
+    start: int
+    going: int
+    leaving: dict[str, int]
+    depths: list[int]
+
+
 class Returns(NamedTuple):
     """What a function returns: its type as it is written, whether that is a reference. `plain`: nothing is to be converted."""
 
