@@ -22,8 +22,8 @@ _OF_LOOPS: Final = 50
 """So many operations a loop counts for."""
 
 
-def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value:
-    """Run a function body on bound registers; the value returned."""
+def invoke(machine: Engine, function: Function, registers: list[Value], *, shared: bool = False) -> Value:
+    """Run a function body on bound registers; the value returned. `shared`: all such calls of it share a summary."""
     code = function.code
     depth = _depth(machine, function, registers)
     limit = machine.budget.recursion
@@ -33,8 +33,8 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
             limit = 0 if recursive or _is_large(machine, function) else 1
     if depth:
         machine.summaries.recursive.add(code.key)
-    if depth >= limit or len(machine.frames) >= machine.budget.depth:
-        return summarised(machine, function, registers)
+    if shared or depth >= limit or len(machine.frames) >= machine.budget.depth:
+        return summarised(machine, function, registers, kept=shared)
     given = tuple(registers)
     key = (
         function,

@@ -27,9 +27,10 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 
-def summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
-    """What a call gives by the summary of its function."""
+def summarised(machine: Engine, function: Function, registers: list[Value], *, kept: bool = False) -> Value:
+    """What a call gives by the summary of its function. `kept`: it stands for later calls, as it does where precision is given up."""
     machine.summaries.asked += 1
+    kept = kept or machine.precision.coarse
     key = (function.code.key, (function.cells, machine.language.instance(machine, function, registers)))
     if machine.watch is not None:
         machine.watch.summary(machine, function.code, machine.context("summary", function.code.key))
@@ -44,7 +45,7 @@ def summarised(machine: Engine, function: Function, registers: list[Value]) -> V
     if len(machine.frames) >= machine.budget.depth * 2:
         raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
     called = machine.state
-    summary = machine.summaries.finished.pop(key, None) if machine.precision.coarse else None
+    summary = machine.summaries.finished.pop(key, None) if kept else None
     if summary is None:
         summary = Summary(list(registers), called.copy())
     else:
@@ -57,7 +58,7 @@ def summarised(machine: Engine, function: Function, registers: list[Value]) -> V
             return _of_summary(machine, summary, called)
         if changed and not summary.whole:  # else what it gave is joined with what it gives, and comes to rest
             summary.value, summary.after, summary.catcher = UNBOUND, None, None
-    _solve(machine, summary, function, key, widening)
+    _solve(machine, summary, function, key, widening, kept=kept)
     if summary.catcher is not None:
         machine.summaries.finished[key] = summary
     return _of_summary(machine, summary, called)
@@ -143,12 +144,14 @@ def _changed(machine: Engine, summary: Summary, called: State, state: State) -> 
     return found
 
 
-def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str, object], merge: Merge) -> None:
+def _solve(
+    machine: Engine, summary: Summary, function: Function, key: tuple[str, object], merge: Merge, *, kept: bool
+) -> None:
     """Run the body for all calls that are known, until nothing changes any more."""
     summaries = machine.summaries
     outer, outermost = machine.catchers, not summaries.running
     summaries.running[key] = summary
-    if machine.precision.coarse:
+    if kept:
         summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
         machine.catchers = [*outer, summary.catcher]
     context = machine.context("summary", function.code.key)
@@ -173,7 +176,7 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
             if not summary.provisional:
                 break  # nothing inside asked for an unfinished summary: this turn was exact
             summaries.changes += seen != summary.versions
-            if not machine.precision.coarse:
+            if not kept:
                 if seen == summary.versions:
                     break  # those inside are solved anew in each turn
             elif not outermost or summaries.changes == changes:
