@@ -96,9 +96,9 @@ def test_a_node_that_configures_another_one_is_no_recursion(tmp_path: Path, monk
     """Both go through `configure` of the library; where precision is given up, it has no summary for the two."""
     asked: set[str] = set()
 
-    def noted(machine: Engine, function: Function, registers: list[Value], *, kept: bool) -> Value:
+    def noted(machine: Engine, function: Function, registers: list[Value]) -> Value:
         asked.add(function.code.name)
-        return summarised(machine, function, registers, kept=kept)
+        return summarised(machine, function, registers)
 
     monkeypatch.setattr(activation, "summarised", noted)
     assert publishers(tmp_path, Budget(coarse=0.0, entry_coarse=0, large=-1)) == {"/grid", "/path"}

@@ -22,8 +22,8 @@ _OF_LOOPS: Final = 50
 """So many operations a loop counts for."""
 
 
-def invoke(machine: Engine, function: Function, registers: list[Value], *, shared: bool = False) -> Value:
-    """Run a function body on bound registers; the value returned. `shared`: all such calls of it share a summary."""
+def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value:
+    """Run a function body on bound registers; the value returned."""
     code = function.code
     depth = _depth(machine, function, registers)
     limit = machine.budget.recursion
@@ -33,8 +33,8 @@ def invoke(machine: Engine, function: Function, registers: list[Value], *, share
             limit = 0 if recursive or _is_large(machine, function) else 1
     if depth:
         machine.summaries.recursive.add(code.key)
-    if shared or depth >= limit or len(machine.frames) >= machine.budget.depth:
-        return summarised(machine, function, registers, kept=shared)
+    if depth >= limit or len(machine.frames) >= machine.budget.depth:
+        return summarised(machine, function, registers)
     given = tuple(registers)
     key = (
         function,
@@ -55,7 +55,8 @@ def invoke(machine: Engine, function: Function, registers: list[Value], *, share
         return value
     caller = machine.frames[-1] if machine.frames else None
     context = context_of(machine, code, caller, registers)
-    place = recalled.place_of(machine, code.key, (function, given), context)
+    apart = code.signature is not None and code.signature.apart  # its context does not tell who calls
+    place = None if apart else recalled.place_of(machine, code.key, (function, given), context)
     found = None if place is None else recalled.known(machine, place)
     if found is not None:
         if machine.watch is not None:

@@ -37,7 +37,9 @@ def run_body(
         alive = machine.run(code.ops, frame)
     finally:
         machine.frames.pop()
-        if own and machine.summaries.fresh.issuperset(own):  # what stood there before the call is nothing that it asked for
+        if own and machine.summaries.fresh.issuperset(
+            own
+        ):  # what stood there before the call is nothing that it asked for
             machine.asked_for.difference_update(own)
     left = left_by(machine, frame, alive=alive)
     if left is None:

@@ -141,9 +141,9 @@ class Precision:
         return Effort(self.steps, self.turns, self.turns, self.begun, len(self._heavy), self.given_up, self.coarse)
 
     def was_precise(self, begun: Effort) -> bool:
-        """Whether no precision was given up since that had not been before."""
+        """Whether no precision was given up since; where it had been before, whether no loop was followed by what is kept of it."""
         if begun.coarse:
-            return self.coarse
+            return self.coarse and begun.loops == self.begun
         return not self.coarse and begun.given_up == self.given_up
 
     def since(self, begun: Effort) -> Effort:
@@ -157,7 +157,7 @@ class Precision:
             return False
         if not effort.loops:
             return True
-        if effort.heavy != len(self._heavy) and not self.coarse:
+        if effort.heavy != len(self._heavy):
             return False
         latest = max(effort.first, self.turns) + effort.turns + self.budget.unroll
         return not self.loops or effort.first == self.turns or latest <= self.budget.turns

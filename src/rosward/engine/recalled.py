@@ -139,12 +139,14 @@ def repeated(machine: Engine, key: str, call: Call) -> Value:
         _tell_again(machine, call)
     state = machine.state
     for address, record in call.written:
-        state.heap[address] = _over(state.heap.get(address), record, call.fresh[address]) if address in call.fresh else record
+        state.heap[address] = (
+            _over(state.heap.get(address), record, call.fresh[address]) if address in call.fresh else record
+        )
     state.done |= call.added
     if call.written or call.added:
         state.version = machine.fresh_version()
-    if machine.unheld:
-        machine.unheld.difference_update(call.fresh)
+    machine.unheld.difference_update(call.fresh)
+    machine.summaries.fresh.update(call.fresh)
     if call.anew:
         machine.unheld -= call.anew
         machine.summaries.anew += call.anew
@@ -196,7 +198,7 @@ def _around(machine: Engine) -> tuple[object, ...]:
     return (
         len(machine.log.nodes),
         len(machine.log.classes),
-        bool(trace.handed),
+        len(trace.handed),
         bool(book.entries),
         book.by_library,
         book.running,
@@ -235,7 +237,11 @@ def place_of(machine: Engine, key: str, given: object, context: int) -> object:
     ):
         return None
     where = _tried(machine), bool(precision.loops), bool(precision.fixpoints), precision.coarse
-    return given, context, where, machine.language.situation(machine)
+    stands = machine.frames[-1] if machine.frames else None
+    asks = (
+        machine.place if stands is not None and stands.stub else None
+    )  # what a model does is told at the place that asks for it
+    return given, context, where, asks, machine.language.situation(machine)
 
 
 def _tried(machine: Engine) -> object:

@@ -27,10 +27,9 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 
-def summarised(machine: Engine, function: Function, registers: list[Value], *, kept: bool = False) -> Value:
-    """What a call gives by the summary of its function. `kept`: it stands for later calls, as it does where precision is given up."""
+def summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
+    """What a call gives by the summary of its function."""
     machine.summaries.asked += 1
-    kept = kept or machine.precision.coarse
     key = (function.code.key, (function.cells, machine.language.instance(machine, function, registers)))
     if machine.watch is not None:
         machine.watch.summary(machine, function.code, machine.context("summary", function.code.key))
@@ -45,7 +44,7 @@ def summarised(machine: Engine, function: Function, registers: list[Value], *, k
     if len(machine.frames) >= machine.budget.depth * 2:
         raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
     called = machine.state
-    summary = machine.summaries.finished.pop(key, None) if kept else None
+    summary = machine.summaries.finished.pop(key, None) if machine.precision.coarse else None
     if summary is None:
         summary = Summary(list(registers), called.copy())
     else:
@@ -58,7 +57,7 @@ def summarised(machine: Engine, function: Function, registers: list[Value], *, k
             return _of_summary(machine, summary, called)
         if changed and not summary.whole:  # else what it gave is joined with what it gives, and comes to rest
             summary.value, summary.after, summary.catcher = UNBOUND, None, None
-    _solve(machine, summary, function, key, widening, kept=kept)
+    _solve(machine, summary, function, key, widening)
     if summary.catcher is not None:
         machine.summaries.finished[key] = summary
     return _of_summary(machine, summary, called)
@@ -144,14 +143,12 @@ def _changed(machine: Engine, summary: Summary, called: State, state: State) -> 
     return found
 
 
-def _solve(
-    machine: Engine, summary: Summary, function: Function, key: tuple[str, object], merge: Merge, *, kept: bool
-) -> None:
+def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str, object], merge: Merge) -> None:
     """Run the body for all calls that are known, until nothing changes any more."""
     summaries = machine.summaries
     outer, outermost = machine.catchers, not summaries.running
     summaries.running[key] = summary
-    if kept:
+    if machine.precision.coarse:
         summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
         machine.catchers = [*outer, summary.catcher]
     context = machine.context("summary", function.code.key)
@@ -176,7 +173,7 @@ def _solve(
             if not summary.provisional:
                 break  # nothing inside asked for an unfinished summary: this turn was exact
             summaries.changes += seen != summary.versions
-            if not kept:
+            if not machine.precision.coarse:
                 if seen == summary.versions:
                     break  # those inside are solved anew in each turn
             elif not outermost or summaries.changes == changes:

@@ -117,26 +117,13 @@ def _of_several(
     chosen = choose(machine, functions, given, types)
     if not chosen:
         return unknown_call(machine, External(several.name), args, types)
-    shared = len(chosen) > 1 and _is_inside(machine, chosen)
 
     def one(function: Value) -> Value:
         assert isinstance(function, Function)
         receiver = (several.receiver,) if several.receiver is not None and _leads(function) else ()
-        return call_function(machine, function, (*receiver, *args), keywords, types, shared=shared)
+        return call_function(machine, function, (*receiver, *args), keywords, types)
 
     return one(chosen[0]) if len(chosen) == 1 else each_apart(machine, list(chosen), one)
-
-
-_TURNS: Final = 2
-
-
-def _is_inside(machine: Engine, chosen: Sequence[Function]) -> bool:
-    """Whether functions that nobody can tell apart call one another: each call would be followed for each way that led to it.
-
-    join(out, first, rest...) { out += first; join(out, rest...); }     and others of that name, which a constraint tells apart
-    """
-    keys = {function.code.key for function in chosen}
-    return sum(frame.code.key in keys for frame in machine.frames) >= _TURNS
 
 
 def _overridden(machine: Engine, several: Overloads, args: Arguments) -> list[Value]:
@@ -155,19 +142,13 @@ def _leads(function: Function) -> bool:
 
 
 def call_function(
-    machine: Engine,
-    function: Function,
-    args: Arguments,
-    keywords: Mapping[str, Value],
-    types: Arguments = (),
-    *,
-    shared: bool = False,
+    machine: Engine, function: Function, args: Arguments, keywords: Mapping[str, Value], types: Arguments = ()
 ) -> Value:
-    """A function of the program or of a model; `shared`: its calls share a summary."""
+    """A function of the program or of a model."""
     registers = bind(machine, function, args, types, keywords)
     special = _special(machine, function, registers)
     if special is not None:
-        return call_function(machine, special, args, keywords, shared=shared)
+        return call_function(machine, special, args, keywords)
     if function.code.is_stub:
         if machine.watch is not None:
             machine.watch.bound(machine, function, args, registers)
@@ -175,7 +156,7 @@ def call_function(
     if machine.watch is not None:
         machine.watch.bound(machine, function, args, registers)
     with _seen_as(machine, function, registers):
-        value = activation.invoke(machine, function, registers, shared=shared)
+        value = activation.invoke(machine, function, registers)
     signature = function.code.signature
     return value if signature is not None and signature.reference else _fresh(machine, value)
 
