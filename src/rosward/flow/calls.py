@@ -19,7 +19,7 @@ from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import Activation, Called, Handed, Seen, refs_of
-from rosward.flow import library, natives
+from rosward.flow import implicit, library, natives
 from rosward.flow.body import Body
 from rosward.flow.constructed import construct
 from rosward.flow.content import Content
@@ -261,7 +261,8 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     unknown = False
     for callee in _apart(_as_written(op, seen.functions)):
         if _is_native(callee):
-            computed = natives.apply(walker, op, body, seen, callee, marks)
+            handed = implicit.with_elements(seen, marks, given)
+            computed = natives.apply(walker, op, body, seen, callee, handed)
             result = result.joined(computed)
             if walker.attempts and may_fail(op, seen):
                 walker.attempts[-1].mask |= computed.mask
@@ -276,7 +277,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
             walker.attempts[-1].mask |= computed.mask
     roots = frozenset(map(walker.shape.owner, leads(seen, result))) | frozenset(map(of_library, seen.externals))
     opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
-    mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen))
+    mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen)) | implicit.given_by(walker, marks)
     for _, entry in seen.scheduled:
         mask |= walker.returned.get(entry, 0)
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))

@@ -76,6 +76,7 @@ class Walker:
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
         self.callbacks: dict[Scheduled, Mark] = {}  # as each was registered
         self.handed: dict[Scheduled, tuple[str, ...]] = {}  # the classes of what a library calls each with
+        self.implicit: set[int] = set()  # the classes of which Python has called special methods by itself
         self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
@@ -178,6 +179,13 @@ class Walker:
         old = self.returned.get(entry, 0)
         if old | mask != old:
             self.returned[entry] = old | mask
+            self.changed = True
+
+    def call_implicitly(self, cls: int) -> None:
+        """Python has called a special method of a class by itself: what is made of its objects may depend on that."""
+        if cls not in self.implicit:
+            self.implicit.add(cls)
+            self._remembered.clear()
             self.changed = True
 
     def send(self, sink: Sink, mask: int) -> None:
