@@ -55,7 +55,8 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
         return value
     caller = machine.frames[-1] if machine.frames else None
     context = context_of(machine, code, caller, registers)
-    place = recalled.place_of(machine, code.key, (function, given), context)
+    apart = code.signature is not None and code.signature.apart  # its context does not tell who calls
+    place = None if apart else recalled.place_of(machine, code.key, (function, given), context)
     found = None if place is None else recalled.known(machine, place)
     if found is not None:
         if machine.watch is not None:

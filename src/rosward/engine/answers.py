@@ -124,6 +124,8 @@ class Answers:
         cells = [self.place_key(key) for key in keys]
         for address in cells:
             self.put(address, Obj("cell", NONE))
+        self.unheld.difference_update(cells)
+        self.summaries.fresh.update(cells)
         return cells
 
     def load_attr(self: Engine, value: Value, name: str) -> Value:

@@ -29,13 +29,18 @@ def run_body(
         context = context_of(machine, code, caller)
     full = [*registers, *([UNBOUND] * (code.registers - len(registers)))]
     frame = Frame(code, full, (), function.module, context, declared.is_model(function))
-    frame.cells = (*machine.new_cells(code, context), *function.cells)
+    own = machine.new_cells(code, context)
+    frame.cells = (*own, *function.cells)
     machine.frames.append(frame)
     machine.check_time()
     try:
         alive = machine.run(code.ops, frame)
     finally:
         machine.frames.pop()
+        if own and machine.summaries.fresh.issuperset(
+            own
+        ):  # what stood there before the call is nothing that it asked for
+            machine.asked_for.difference_update(own)
     left = left_by(machine, frame, alive=alive)
     if left is None:
         return UNBOUND

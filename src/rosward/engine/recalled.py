@@ -12,6 +12,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rosward.domain.choice import join
+from rosward.domain.state import join_objects
 from rosward.domain.values import Value
 from rosward.engine import schedule
 from rosward.engine.summaries import Call
@@ -19,12 +21,13 @@ from rosward.engine.throwing import may_end
 from rosward.engine.told import Kind, told_of
 
 if TYPE_CHECKING:
+    from rosward.domain.heap import Obj
     from rosward.engine.machine import Engine
     from rosward.engine.told import Telling
 
 _LEAST: Final = 16
 """A call of fewer steps is made as quickly as it is remembered."""
-_KEPT: Final = 2
+_KEPT: Final = 12
 """So many calls with the same arguments, in the same place, are told apart by what they read."""
 _PATIENCE: Final = 30
 """So many calls of one function are remembered in vain, before those that follow are made without that."""
@@ -40,6 +43,7 @@ def begun(machine: Engine) -> Call:
     """A call begins that is to be remembered."""
     call = Call(machine.state, _around(machine), _before(machine), machine.precision.effort())
     call.raised, call.begun_anew = machine.raised, len(machine.summaries.anew)
+    call.around_fresh, machine.summaries.fresh = machine.summaries.fresh, set()
     catcher = call.catcher = machine.catchers[-1] if machine.catchers else None
     told = machine.summaries.told if catcher is None else catcher.told
     if told is not None:
@@ -65,6 +69,8 @@ def _forget(told: list[Telling | None]) -> None:
 def closed(machine: Engine, call: Call) -> None:
     """A call that was to be remembered is over, however it ended: the outermost of them needs no more what was told in it."""
     catcher, call.catcher = call.catcher, None
+    call.around_fresh |= machine.summaries.fresh
+    machine.summaries.fresh = call.around_fresh
     if not call.outermost:
         return
     if catcher is None:
@@ -81,8 +87,10 @@ def ended(machine: Engine, place: object, key: str, call: Call) -> None:
     if call.before != _before(machine) or not machine.precision.was_precise(call.effort) or not call.done <= state.done:
         return
     call.effort = machine.precision.since(call.effort)
-    if call.effort.steps < _LEAST:
+    summaries.vain[key] = vain = summaries.vain.get(key, 0) + 1
+    if vain > _PATIENCE:
         summaries.small.add(key)
+    if call.effort.steps < _LEAST:
         return
     tellings = summaries.told if catcher is None else catcher.told
     assert tellings is not None
@@ -97,13 +105,11 @@ def ended(machine: Engine, place: object, key: str, call: Call) -> None:
     call.added = state.done - call.done
     call.importing = catcher is not None and catcher.importing
     call.asked_for, call.anew = frozenset(machine.asked_for), frozenset(summaries.anew[call.begun_anew :])
-    changed = [address for address, _ in call.written]
-    changed += [address for each in told for address, _ in each.objects]
-    call.addresses = tuple(call.asked_for.union(changed, call.anew))
+    changed = {address for address, _ in call.written}
+    changed.update(address for each in told for address, _ in each.objects)
+    call.fresh = {a: heap.get(a) for a in changed & summaries.fresh - call.asked_for - call.anew}
+    call.addresses = tuple(call.asked_for.union(changed - call.fresh.keys(), call.anew))
     call.records = tuple(map(heap.get, call.addresses))
-    summaries.vain[key] = vain = summaries.vain.get(key, 0) + 1
-    if vain > _PATIENCE:
-        summaries.small.add(key)
     if len(summaries.calls) > _MOST:
         summaries.calls.clear()
     summaries.calls[place] = (call, *summaries.calls.get(place, ())[: _KEPT - 1])
@@ -133,10 +139,14 @@ def repeated(machine: Engine, key: str, call: Call) -> Value:
         _tell_again(machine, call)
     state = machine.state
     for address, record in call.written:
-        state.heap[address] = record
+        state.heap[address] = (
+            _over(state.heap.get(address), record, call.fresh[address]) if address in call.fresh else record
+        )
     state.done |= call.added
     if call.written or call.added:
         state.version = machine.fresh_version()
+    machine.unheld.difference_update(call.fresh)
+    machine.summaries.fresh.update(call.fresh)
     if call.anew:
         machine.unheld -= call.anew
         machine.summaries.anew += call.anew
@@ -150,6 +160,11 @@ def repeated(machine: Engine, key: str, call: Call) -> Value:
         if call.settled:
             machine.catchers[-1].version = state.version
     return call.value
+
+
+def _over(found: Obj | None, record: Obj, before: Obj | None) -> Obj:
+    """A variable of a call within, which may not have been made on every way: then what stood there is there still."""
+    return record if found is None or found is before else join_objects(found, record, join)
 
 
 def _tell_again(machine: Engine, call: Call) -> None:
@@ -183,7 +198,7 @@ def _around(machine: Engine) -> tuple[object, ...]:
     return (
         len(machine.log.nodes),
         len(machine.log.classes),
-        bool(trace.handed),
+        len(trace.handed),
         bool(book.entries),
         book.by_library,
         book.running,
@@ -222,7 +237,11 @@ def place_of(machine: Engine, key: str, given: object, context: int) -> object:
     ):
         return None
     where = _tried(machine), bool(precision.loops), bool(precision.fixpoints), precision.coarse
-    return given, context, where
+    stands = machine.frames[-1] if machine.frames else None
+    asks = (
+        machine.place if stands is not None and stands.stub else None
+    )  # what a model does is told at the place that asks for it
+    return given, context, where, asks, machine.language.situation(machine)
 
 
 def _tried(machine: Engine) -> object:

@@ -85,6 +85,7 @@ class Call:
         "addresses",
         "anew",
         "around",
+        "around_fresh",
         "asked_for",
         "before",
         "begun_anew",
@@ -92,6 +93,7 @@ class Call:
         "done",
         "effort",
         "first",
+        "fresh",
         "heap",
         "importing",
         "left",
@@ -126,6 +128,10 @@ class Call:
         self.asked_for: frozenset[int] = frozenset()
         self.anew: frozenset[int] = frozenset()  # the addresses at which it makes what nothing holds any more
         self.begun_anew = 0  # how many of them there were before
+        self.fresh: dict[
+            int, Obj | None
+        ] = {}  # variables of calls within that it made, whatever stood there; and what did
+        self.around_fresh: set[int] = set()  # those of what runs around, until it ends
         self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
         self.records: tuple[Obj | None, ...] = ()  # what stood there
         self.written: tuple[tuple[int, Obj], ...] = ()
@@ -143,6 +149,7 @@ class Summaries:
         "changes",
         "epoch",
         "finished",
+        "fresh",
         "large",
         "loops",
         "memo",
@@ -176,5 +183,8 @@ class Summaries:
         self.told: list[Telling | None] | None = (
             None  # the exceptions that no `try` gets, while a call outside of all is remembered
         )
+        self.fresh: set[int] = (
+            set()
+        )  # the addresses of variables that the call which is to be remembered made, and those within
         self.anew: list[int] = []  # the addresses that nothing held and that were taken again
         self.uncaught = 0  # how many of them ended the main body

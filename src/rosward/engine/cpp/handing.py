@@ -18,6 +18,7 @@ from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Choice, Class, Function, ModuleValue, Ref, Value
 from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.types import is_message
 from rosward.engine.cpp.values import function_of
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.havoc import change
@@ -205,12 +206,11 @@ def is_open(machine: Engine, obj: Obj) -> bool:
 
 
 _HARMLESS = ("std.", "boost.noncopyable", "boost.enable_shared_from_this")
-"""How the names of bases begin that call nothing of what derives from them."""
+"""How the names of bases begin that call nothing of what derives from them. Nor does a message."""
 
 
 def is_foreign(base: Value) -> bool:
     """Whether nothing is known of a base class."""
-    if isinstance(base, Class):
+    if isinstance(base, Class) or is_message(base):
         return False
-    name = getattr(base, "name", "")
-    return not isinstance(base, External) or not name.startswith(_HARMLESS)
+    return not isinstance(base, (External, TypeOf)) or not base.name.startswith(_HARMLESS)

@@ -68,6 +68,7 @@ class Linked:
         "constructing",
         "enumerations",
         "evaluating",
+        "firsts",
         "fixed",
         "found",
         "functions",
@@ -100,6 +101,9 @@ class Linked:
         self.unsure: set[str] = set()  # the code of functions that the preprocessor may leave out
         self.constants: dict[tuple[str, int], Value] = {}
         self.fixed: set[tuple[int, str]] = set()  # variables that are constants, by scope and name
+        self.firsts: dict[
+            tuple[str, int], tuple[Value, tuple[tuple[int, Obj], ...]]
+        ] = {}  # the values of constants, with the objects that were made for them
         self.enumerations: dict[str, bool] = {}  # which types are enumerations
         self.evaluating: set[tuple[str, int]] = set()
         self.constructing: list[

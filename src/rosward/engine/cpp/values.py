@@ -113,7 +113,7 @@ def variable(machine: Engine, found: Found, types: tuple[Value, ...] | None = No
     if held is UNBOUND or key in obj.partial:  # nobody, or not every execution up to here, has asked for it yet
         if (symbol.key, env.address) in program.evaluating:
             return machine.unknown(Cause.ERROR, f"{symbol.name} before it has a value")
-        held = join_all((held, *(first_value(machine, each, env) for each in versions(general, symbol))))
+        held = join_all((held, *(_first(machine, each, env) for each in versions(general, symbol))))
         machine.put(env.address, record(machine, env.address).with_attr(key, held))
     if held.__class__ is Ref or (symbol.reference and isinstance(held, Slot)):
         return held
@@ -133,6 +133,24 @@ def _of_template(machine: Engine, found: Found, symbol: Symbol, types: tuple[Val
     if symbol.code is None:
         return machine.unknown(Cause.ERROR, symbol.name)
     return evaluate(machine, symbol.code, found.env, types=given)
+
+
+def _first(machine: Engine, symbol: Symbol, env: ModuleValue) -> Value:
+    """What a variable holds at first. A constant is computed once, whoever asks: its objects are there where it is."""
+    if not symbol.constant:
+        return first_value(machine, symbol, env)
+    firsts, key = linked(machine).firsts, (symbol.key, env.address)
+    if key in firsts:
+        value, made = firsts[key]
+        for address, obj in made:
+            if machine.own(address) is None:
+                machine.put(address, obj)
+        return value
+    before = machine.state.heap.copy()
+    value = first_value(machine, symbol, env)
+    changed = machine.state.heap.changed_since(before)
+    firsts[key] = value, tuple((address, obj) for address, obj in changed if address not in before)
+    return value
 
 
 def first_value(machine: Engine, symbol: Symbol, env: ModuleValue) -> Value:

@@ -4,7 +4,7 @@
     struct Lamp { void on(int level = 1); void on(Mode m) const; };        void Lamp::on(int level) {…}     the first one
     extern int count;                                                      int count = 3;                   one variable
 
-What is deleted is not there. Of a class that is defined, other declarations say nothing.
+What is deleted is not there. Of a class that is defined, other declarations say nothing but the defaults of a template.
 """
 
 from __future__ import annotations
@@ -33,7 +33,8 @@ class Merged:
         for kind, same in _grouped(_distinct(declared), lambda symbol: symbol.kind):
             if kind in {SymbolKind.CLASS, SymbolKind.ENUM}:
                 for _, several in _grouped(same, lambda symbol: symbol.label):
-                    found += [s for s in several if s.defined] or several[:1]
+                    whole = [s for s in several if s.defined]
+                    found += [self._with(s, _giving_defaults(s, several)) for s in whole] or several[:1]
             elif kind is SymbolKind.FUNCTION:
                 found += self._functions([s for s in same if "delete" not in s.marks])
             elif kind is SymbolKind.VARIABLE:
@@ -79,6 +80,13 @@ class Merged:
         if found is None:
             found = self._whole[key] = symbol.with_others(tuple(others))
         return found
+
+
+def _giving_defaults(symbol: CppSymbol, declared: Iterable[CppSymbol]) -> list[CppSymbol]:
+    """The declarations of a template that is defined elsewhere, in which defaults of its parameters may stand."""
+    if symbol.own is None:
+        return []
+    return [s for s in declared if not s.defined and s.own is not None and b"=" in (s.own.text or b"")]
 
 
 def _grouped(symbols: Iterable[CppSymbol], key: Callable[[CppSymbol], _K]) -> list[tuple[_K, list[CppSymbol]]]:

@@ -228,7 +228,16 @@ class CppSymbol:
 
     @cached_property
     def template(self) -> tuple[TemplateParameter, ...] | None:
-        """The parameters of the template that it is; None where it is none. An empty tuple: `template <>`."""
+        """The parameters of the template that it is; None where it is none. An empty tuple: `template <>`. Defaults stand in any declaration."""
+        own = self._own_template
+        if own is None or not self.others:
+            return own
+        others = [t for other in self.others if (t := other.template) is not None and len(t) == len(own)]
+        given = [[p.default for p in same if p.default is not None] for same in zip(own, *others, strict=True)]
+        return tuple([p._replace(default=found[0]) if found else p for p, found in zip(own, given, strict=True)])
+
+    @property
+    def _own_template(self) -> tuple[TemplateParameter, ...] | None:
         if self.own is None:
             return None
         found: list[TemplateParameter] = []

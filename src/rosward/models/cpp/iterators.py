@@ -14,7 +14,7 @@ from typing import Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.slots import Pointer, Slot, SlotKind, TypeOf
-from rosward.domain.values import FALSE, NONE, Choice, Const, Ref, Text, Unknown, Value
+from rosward.domain.values import FALSE, NONE, UNBOUND, Choice, Const, Ref, Text, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.copies import write
 from rosward.models.cpp.ordering import in_order
@@ -29,8 +29,10 @@ __all__ = [
     "distance",
     "end",
     "entry",
+    "in_pairs",
     "iterator",
     "keys_in_order",
+    "leading_into",
     "length",
     "moved",
     "same_place",
@@ -58,6 +60,42 @@ def as_iterator(value: Value) -> Slot | None:
     ):
         return value.target
     return None
+
+
+def leading_into(ref: Ref, value: Value) -> tuple[Value, ...]:
+    """The alternatives of an iterator that a container is given: those into another one are none of them, where there are any of its own."""
+    several = options(value)
+    if len(several) == 1:
+        return several
+    return tuple([option for option in several if _container(option) in (None, ref)]) or several
+
+
+def _container(value: Value) -> Ref | None:
+    slot = as_iterator(value)
+    return slot.base if slot is not None and isinstance(slot.base, Ref) else None
+
+
+def in_pairs(left: Value, right: Value) -> list[tuple[Value, Value]]:
+    """Which alternatives of two values are compared: an iterator only with the end of its own container, where that is among them.
+
+    for (auto it = t.begin(); it != t.end(); ++it)      t is one of several
+    """
+    ends = {_container(o): o for o in options(right) if _is_end(o)}
+    if not ends:
+        turned = {_container(o) for o in options(left) if _is_end(o)}
+        return [(a, b) for b, a in in_pairs(right, left)] if turned else [(left, right)]
+    several, own = options(left), [o for o in options(left) if _container(o) in ends]
+    if len(ends) == 1 or not own:
+        return [(left, right)]
+    pairs = [(join_all(o for o in own if _container(o) == container), end) for container, end in ends.items()]
+    others = join_all(o for o in options(right) if not _is_end(o))
+    pairs += [(join_all(own), others), (join_all(o for o in several if o not in own), right)]
+    return [(a, b) for a, b in pairs if UNBOUND not in (a, b)]
+
+
+def _is_end(value: Value) -> bool:
+    slot = as_iterator(value)
+    return slot is not None and slot.key == NONE and isinstance(slot.base, Ref)
 
 
 def keys_in_order(machine: Machine, ref: Ref) -> Items:

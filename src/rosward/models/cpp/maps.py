@@ -21,7 +21,7 @@ from rosward.models.cpp.conversions import convert, default_value, new_map
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.elements import between, series_of
 from rosward.models.cpp.exceptions import may_raise, raises
-from rosward.models.cpp.iterators import as_iterator, entry, keys_in_order, moved
+from rosward.models.cpp.iterators import as_iterator, entry, keys_in_order, leading_into, moved
 from rosward.models.cpp.ordering import in_order
 from rosward.models.cpp.slots import key_of, new_pair, read, read_field
 from rosward.models.cpp.types import argument
@@ -203,7 +203,7 @@ def _erase(call: NativeCall) -> Value:
     results: list[Value] = []
     values = [read(machine, arg) for arg in call.args[1:]]
     for ref in _maps(call):
-        for value in options(values[0]):
+        for value in leading_into(ref, values[0]):
             slot = as_iterator(value)
             if slot is None:
                 found = dicts.take(machine, ref, _key(machine, ref, value))

@@ -13,16 +13,17 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable
+from functools import partial
 from typing import Final
 
-from rosward.domain.choice import options
+from rosward.domain.choice import join_all, options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
 from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.text import concat
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.models.cpp import chrono, streams
 from rosward.models.cpp.conversions import NULLOPT, is_empty_optional
-from rosward.models.cpp.iterators import as_iterator, distance, iterator, moved, same_place
+from rosward.models.cpp.iterators import as_iterator, distance, in_pairs, iterator, moved, same_place
 from rosward.models.cpp.paths import slash
 from rosward.models.cpp.slots import key_of, read
 from rosward.models.cpp.stream_input import extract
@@ -238,7 +239,7 @@ def compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
 
 @operation
 def _compared(machine: Machine, op: str, left: Value, right: Value) -> Value:
-    return spread(lambda a, b: _compare(machine, op, a, b), left, right)
+    return join_all(spread(partial(_compare, machine, op), a, b) for a, b in in_pairs(left, right))
 
 
 def _compare(machine: Machine, op: str, left: Value, right: Value) -> Value:

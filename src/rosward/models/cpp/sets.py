@@ -19,7 +19,7 @@ from rosward.models.cpp.containers import erased, made_of, nothing, receivers
 from rosward.models.cpp.conversions import convert, new_set
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.elements import between, series_of
-from rosward.models.cpp.iterators import as_iterator, iterator
+from rosward.models.cpp.iterators import as_iterator, iterator, leading_into
 from rosward.models.cpp.ordering import in_order, unique
 from rosward.models.cpp.slots import key_of, new_pair, read
 from rosward.models.cpp.types import argument, name_of
@@ -132,7 +132,7 @@ def _erase(call: NativeCall) -> Value:
     results: list[Value] = []
     values = [read(machine, arg) for arg in call.args[1:]]
     for ref in receivers(call):
-        for value in options(values[0]):
+        for value in leading_into(ref, values[0]):
             if as_iterator(value) is not None:
                 results.append(erased(machine, ref, value, values[1] if len(values) > 1 else None))
                 continue

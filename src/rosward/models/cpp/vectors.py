@@ -34,7 +34,7 @@ from rosward.models.cpp.conversions import convert, default_value, new_container
 from rosward.models.cpp.copies import copied, for_each
 from rosward.models.cpp.elements import series_of
 from rosward.models.cpp.exceptions import may_raise, raises
-from rosward.models.cpp.iterators import as_iterator, iterator
+from rosward.models.cpp.iterators import as_iterator, iterator, leading_into
 from rosward.models.cpp.iterators import begin as begin_of
 from rosward.models.cpp.iterators import end as end_of
 from rosward.models.cpp.ordering import in_order
@@ -137,7 +137,7 @@ def _erase(call: NativeCall) -> Value:
     found = [
         erased(machine, ref, first, last)
         for ref in receivers(call)
-        for first in options(values[0])
+        for first in leading_into(ref, values[0])
         for last in (options(values[1]) if len(values) > 1 else (None,))
     ]
     return join_all(found) if found else lost(call)

@@ -122,6 +122,10 @@ def _hook(call: NativeCall, ref: Ref, name: str) -> Value | None:
     return None
 
 
+_HOLDING: Final = frozenset((Ref, Tuple))
+"""Values of which a copy may be another one."""
+
+
 def _deep(call: NativeCall) -> Value:
     """copy.deepcopy: what is reached more than once is copied once."""
     machine = call.machine
@@ -129,6 +133,8 @@ def _deep(call: NativeCall) -> Value:
     others: Counter[object] = Counter()
 
     def copied(value: Value, depth: int) -> Value:
+        if all(option.__class__ not in _HOLDING for option in options(value)):
+            return value  # most of what is copied
         return lift(lambda option: one(option, depth), value)
 
     def one(value: Value, depth: int) -> Value:
