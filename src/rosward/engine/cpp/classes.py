@@ -7,7 +7,7 @@ template <> struct Topic<Imu>        is chosen for Topic<Imu>, the general one f
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import Tuple
@@ -183,20 +183,23 @@ def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:
 
 
 def copies(machine: Engine, info: Info) -> bool:
-    """Whether a class says itself how it is copied: `Label(const Label & other) : text_(other.text_ + "_copy") {}`."""
+    """Whether a class says itself how it is copied: `Label(const Label & other) : text_(other.text_ + "_copy") {}`.
+
+    Or moved, where it cannot be copied otherwise: whether an argument is one that may be moved from is not known.
+    """
+    found = dict(_of_itself(machine, info))
+    return found["&"] if "&" in found else found.get("&&", False)
+
+
+def _of_itself(machine: Engine, info: Info) -> Iterator[tuple[str, bool]]:
+    """The constructors that take an object of the class: by which reference, and whether somebody has written the body."""
     name = info.symbol.name
     for symbol in linked(machine).symbols.at(info.scope, name):
         first = symbol.parameters[0].type if symbol.kind is SymbolKind.FUNCTION and symbol.parameters else None
-        if (
-            first is not None
-            and first.names[-1:] == (name,)
-            and first.reference == "&"
-            and symbol.defined
-            and "default" not in symbol.marks
-            and all(p.default for p in symbol.parameters[1:])
-        ):
-            return True
-    return False
+        if first is None or first.names[-1:] != (name,) or first.reference not in ("&", "&&"):
+            continue
+        if all(p.default for p in symbol.parameters[1:]):
+            yield first.reference, symbol.defined and "default" not in symbol.marks
 
 
 def _bases(machine: Engine, symbol: Symbol, scope: ModuleValue, types: tuple[Value, ...]) -> list[tuple[Value, bool]]:

@@ -68,7 +68,7 @@ def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
 
 def cast(machine: Engine, value: Value, target: Value, kind: str) -> Value:
     """A pointer or reference to another class of the same object; `dynamic_cast` gives null where the object is none of that class."""
-    if kind != "dynamic" or not isinstance(target, Class):
+    if kind != "dynamic":
         return value
     kept: list[Value] = []
 
@@ -76,7 +76,12 @@ def cast(machine: Engine, value: Value, target: Value, kind: str) -> Value:
         ref = option.target if isinstance(option, Pointer) else option
         cls = machine.obj(ref).cls if isinstance(ref, Ref) else None
         known = isinstance(cls, Class) and not any(isinstance(b, (External, Unknown)) for b in cls.mro)
-        kept.append(NONE if known and isinstance(cls, Class) and target not in cls.mro else option)
+        if isinstance(cls, Class) and target in cls.mro:
+            kept.append(option)
+        elif known and isinstance(target, Class):
+            kept.append(NONE)
+        else:
+            kept += [option, NONE] if isinstance(option, Pointer) else [option]
     return join_all(kept)
 
 

@@ -8,7 +8,7 @@ factory.register_type<Say>("Say");    a Say may be made, with anything
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
@@ -66,11 +66,22 @@ def hand_over(
     for value in held if informed else ():
         change(machine, value, name, informed=True)
     reached = [o.target for v in values for o in options(v) if isinstance(o, Pointer) and isinstance(o.target, Slot)]
-    for slot in (*changed, *reached):
+    for slot in (*changed, *(each for place in reached for each in _from_there(machine, place))):
         if isinstance(slot, Slot) and _may_be_written(machine, read(machine, slot)) and not _is_constant(machine, slot):
             write(machine, slot, machine.unknown(Cause.CALL, name), weak=True)
     if throws:
         note_call(machine)  # now, or before it wrote anything: what it may have written covers both
+
+
+def _from_there(machine: Engine, slot: Slot) -> Iterable[Slot]:
+    """Where code may write that is given a pointer: of an element of a container, or of an array, also to the others."""
+    base = slot.base
+    if not isinstance(base, Ref) or slot.kind not in ("item", "entry", "reverse"):
+        return (slot,)
+    obj = machine.obj(base)
+    if obj.kind == "dict":
+        return [Slot(base, "item", key) for key in obj.entries]
+    return (Slot(base, "item", machine.unknown(Cause.CALL, "element", "int")),) if obj.kind == "list" else (slot,)
 
 
 def give_to(machine: Engine, args: Sequence[Value], type_: Value) -> None:

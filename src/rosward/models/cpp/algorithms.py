@@ -19,6 +19,7 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Value
 from rosward.models.cpp.arity import with_least
+from rosward.models.cpp.arrays import decaying
 from rosward.models.cpp.copies import copied, for_each, several, write
 from rosward.models.cpp.elements import between
 from rosward.models.cpp.iterators import as_iterator, iterator, moved
@@ -327,7 +328,7 @@ _FUNCTIONS: Final[dict[str, NativeFunction]] = {
 }
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    **{f"std.{name}": function for name, function in with_least(_FUNCTIONS, 3, _LEAST).items()},
+    **{f"std.{name}": decaying(function) for name, function in with_least(_FUNCTIONS, 3, _LEAST).items()},
     **with_least({name: _inserter for name in INSERTERS if name != "std.ostream_iterator"}, 1),
     **with_least({"std.ostream_iterator.new": _output}, 2),
 }

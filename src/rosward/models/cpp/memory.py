@@ -14,7 +14,7 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join, join_all, options
-from rosward.domain.compound import Tuple
+from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot, TypeOf
@@ -157,6 +157,8 @@ def _itself(call: NativeCall) -> Value:
 
 def _move(call: NativeCall) -> Value:
     """std::move(x): of a pointer its value; where it stood there may be nothing any more."""
+    if len(call.args) > 2:  # that of <algorithm>, which leaves elements where they were
+        return call.machine.call(External("std.copy"), call.args)
     place = call.exactly(1)[0]
     held = read(call.machine, place)
     if isinstance(place, Slot) and any(isinstance(option, Pointer) for option in options(held)):

@@ -76,15 +76,16 @@ def _stoi(call: NativeCall) -> Value:
 
 
 def _atoi(call: NativeCall) -> Value:
-    """atoi, atof: 0 for what is no number."""
+    """atoi, atof: 0 for what is no number; `strtol(text, &end, base)`."""
     machine, name = call.machine, call.name.rpartition(".")[2]
     whole = name not in ("atof", "strtod", "strtof")
+    base = int_of(read(machine, call.args[2])) if len(call.args) > 2 else 10
 
     def one(value: Value) -> Value:
         text = text_of(value)
-        if text is None:
+        if text is None or (whole and base not in (10, 16)):
             return unknown_from(machine, name, "int" if whole else "float", value)
-        number = _parsed(text, whole=whole, base=10)
+        number = _parsed(text, whole=whole, base=base or 10)
         return from_python(machine, (0 if whole else 0.0) if number is None else number, origins(value), name)
 
     return spread(one, read(machine, call.args[0]))

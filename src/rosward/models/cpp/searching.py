@@ -17,6 +17,7 @@ from rosward.domain.choice import join_all
 from rosward.domain.slots import Slot
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Value
 from rosward.models.cpp.arity import with_least
+from rosward.models.cpp.arrays import decaying
 from rosward.models.cpp.elements import between
 from rosward.models.cpp.iterators import as_iterator, iterator, moved
 from rosward.models.cpp.ranges import place, places
@@ -196,7 +197,7 @@ _FUNCTIONS: Final[dict[str, NativeFunction]] = {
 }
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    f"std.{name}": function
+    f"std.{name}": decaying(function)
     for name, function in with_least(
         _FUNCTIONS, 3, dict.fromkeys(("max_element", "min_element", "minmax_element"), 2)
     ).items()

@@ -28,6 +28,9 @@ __all__ = [
     "ITERATOR",
     "LEFT",
     "NATIVES",
+    "OVER",
+    "TEXT",
+    "WRITTEN",
     "content",
     "held_in",
     "insert",
@@ -40,11 +43,11 @@ __all__ = [
     "put_in",
 ]
 
-_TEXT: Final = "text"
+TEXT: Final = "text"
 LEFT: Final = "unread"
 GOOD: Final = "good"
-_OVER: Final = "over"
-_WRITTEN: Final = "written"
+OVER: Final = "over"
+WRITTEN: Final = "written"
 _OUTPUTS: Final = frozenset(("std.cout", "std.cerr", "std.clog", "std.wcout"))
 _MANIPULATORS: Final[dict[str, dict[str, Value]]] = {
     "hex": {"base": Const(16)},
@@ -145,25 +148,25 @@ def _flags(machine: Machine, ref: Ref) -> Flags:
 
 
 def _append(machine: Machine, ref: Ref, text: Value, *, weak: bool = False) -> None:
-    over = text_of(held_in(machine, ref, _OVER))
+    over = text_of(held_in(machine, ref, OVER))
     if over:
         _write_over(machine, ref, over, text, weak=weak)
         return
-    for name in (_TEXT, LEFT):
+    for name in (TEXT, LEFT):
         put_in(machine, ref, name, concat((held_in(machine, ref, name), text)), weak=weak)
 
 
 def _write_over(machine: Machine, ref: Ref, over: str, text: Value, *, weak: bool) -> None:
     """A stream that was made of a text without `ate` is written from its beginning."""
-    written = concat((held_in(machine, ref, _WRITTEN), text))
+    written = concat((held_in(machine, ref, WRITTEN), text))
     plain = text_of(written)
     result = (
         unknown_from(machine, "<<", "str", written)
         if plain is None
         else from_python(machine, plain + over[len(plain) :])
     )
-    put_in(machine, ref, _WRITTEN, written, weak=weak)
-    for name in (_TEXT, LEFT):
+    put_in(machine, ref, WRITTEN, written, weak=weak)
+    for name in (TEXT, LEFT):
         put_in(machine, ref, name, result, weak=weak)
 
 
@@ -183,7 +186,7 @@ def _new(call: NativeCall) -> Value:
     """A stream of a type: of a text, or of a file."""
     machine, type_ = call.machine, call.args[0]
     first = read(machine, call.args[1]) if len(call.args) > 1 else EMPTY
-    obj = Obj("instance", External(name_of(type_)), {_TEXT: EMPTY, LEFT: EMPTY})
+    obj = Obj("instance", External(name_of(type_)), {TEXT: EMPTY, LEFT: EMPTY})
     made = machine.allocate(obj, name_of(type_))
     if is_of_file(machine, made):
         put_in(machine, made, "path", first)
@@ -191,10 +194,10 @@ def _new(call: NativeCall) -> Value:
     else:
         text = make(parts_of(first)) if not isinstance(first, External) else EMPTY
         put_in(machine, made, LEFT, text)
-        put_in(machine, made, _TEXT, text)
+        put_in(machine, made, TEXT, text)
         appends = any(name_of_library(read(machine, a)).endswith(".ate") for a in call.args[2:])
         if not appends:
-            put_in(machine, made, _OVER, text)
+            put_in(machine, made, OVER, text)
     return made
 
 
@@ -207,11 +210,12 @@ def _str(call: NativeCall) -> Value:
             found.append(unknown_from(machine, "str", "str", option))
         elif len(call.args) > 1:
             text = read(machine, call.args[1])
-            for name in (_TEXT, LEFT):
+            for name in (TEXT, LEFT, OVER):
                 put_in(machine, option, name, text)
+            put_in(machine, option, WRITTEN, EMPTY)
             found.append(NONE)
         else:
-            found.append(read_field(machine, option, _TEXT))
+            found.append(read_field(machine, option, TEXT))
     return join_all(found)
 
 
@@ -333,7 +337,7 @@ _METHODS: Final[dict[str, NativeFunction]] = {
     "setf": _flag,
     "unsetf": _ignored,
     "rdbuf": _content,
-    **dict.fromkeys(("flush", "ignore", "close", "open", "exceptions", "imbue", "seekg", "seekp", "sync"), _ignored),
+    **dict.fromkeys(("flush", "close", "open", "exceptions", "imbue", "sync"), _ignored),
 }
 
 NATIVES: Final[dict[str, NativeFunction]] = {

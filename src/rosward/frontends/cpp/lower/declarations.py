@@ -226,7 +226,7 @@ def _meant(body: Body, node: Node) -> Argued:
     arguments = tuple(_meant(body, each) for each in given_ or ())
     dst = body.register()
     body.emit(Invoke(*body.place(node), dst, function, arguments))
-    return Argued(dst)
+    return Argued(dst, "result")
 
 
 def _element(body: Body, src: int, node: Node) -> int:
