@@ -17,7 +17,7 @@ from rosward.flow.marks import Mark, Root, is_slot, part_of, slot_of
 from rosward.flow.remembered import Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
-from rosward.flow.store import Covered
+from rosward.flow.store import MASK, SHIFT, Covered
 from rosward.flow.tracker import Tracker, differing
 
 
@@ -91,14 +91,22 @@ class Memory(Standing):
 
     def _cover(self, other: Memory, numbers: Iterable[int]) -> bool:
         changed = False
+        roots, covered, tracker, others = self.numbers.roots, self.numbers.covered, self.shape.tracker, other._pages
         for number in numbers:
-            mine, their = self.numbered(number), other.numbered(number)
+            key, offset = number >> SHIFT, number & MASK
+            page, their_page = self._pages.get(key), others.get(key)  # `numbered`, without the calls
+            mine = None if page is None else page[offset]
+            their = None if their_page is None else their_page[offset]
             if mine is their:
                 continue
-            root = self.numbers.roots[number]
+            root = roots[number]
             ours = self.now(root) if mine is None else mine
             theirs = other.now(root) if their is None else their
-            changed |= self._takes_in(root, ours, theirs)
+            known = covered.get((id(ours), id(theirs)))
+            if known is None:
+                changed |= self._takes_in(root, ours, theirs)
+            elif tracker is not None:
+                tracker.meets(root, ours, theirs, known.keys)
         return changed
 
     def _takes_in(self, root: Root, ours: Content, theirs: Content) -> bool:

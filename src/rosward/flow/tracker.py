@@ -129,13 +129,26 @@ class Tracker:
 
     def _reads_as(self, inner: Tracker, standing: Callable[[Root], Content]) -> None:
         """What a body inside reads is read here, as it stands."""
+        reads, first = self.reads, self._first
         for root, keys in inner.reads.items():
-            content = standing(root)
+            known = reads.get(root, _NO_KEYS)
+            if known is None:
+                continue
             if keys is None:
-                self.read(root, content)
+                self.read(root, standing(root))
+                continue
+            new = keys - known if known else keys
+            if not new:
+                continue
+            content = standing(root)
+            if id(content) not in self._own:
+                first.setdefault(root, content)
             else:
-                for key in keys:
-                    self.read_slot(root, key, content)
+                wrote = self.wrote.get(root, _NO_KEYS)
+                if root not in first or wrote is None:
+                    continue
+                new = new - wrote
+            _add(reads, root, new)
 
     def _has_sent(self, inner: Tracker, at: Chain) -> None:
         self.placed |= inner.placed

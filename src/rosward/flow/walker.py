@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
-from rosward.engine.seen import Activation, Seen
+from rosward.engine.seen import ALIVE, REACHED, Activation, Seen
 from rosward.flow.body import Attempt, Body, Point, here
 from rosward.flow.content import TooLongError
 from rosward.flow.failing import may_fail
@@ -19,6 +19,7 @@ from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered
 from rosward.flow.sinks import DEEP, Chain, Sinks
+from rosward.flow.site import Sites
 from rosward.flow.tracker import Tracker
 from rosward.flow.trail import Trail
 from rosward.ir import ops
@@ -88,6 +89,7 @@ class Walker:
         self.lost = False  # code may run that nobody can name
         self.threaded = False  # whether something runs beside this
         self.narrowed: list[str] = []  # the names of parameters that the branches around are about
+        self.sites = Sites()
         self._most = most
         self.together = _size(watch) > _LARGE  # calls of one body are not told apart by what was seen in each
         self._beside = 0  # how often `beside` became more
@@ -360,13 +362,22 @@ class Walker:
 
 
 def _merged(several: list[Activation]) -> Activation:
-    """All that was seen of one body."""
+    """All that was seen of one body. What was seen in one activation only, or of which nothing is known but that it ran, is not copied."""
     first = several[0]
     found = Activation(first.code, -1, first.cells, first.module)
+    together, own = found.seen, set[int]()
     for each in several:
         found.names |= each.names
         for number, seen in each.seen.items():
-            found.of(number).absorb(seen)
+            known = together.get(number)
+            if known is None or known is REACHED or (known is ALIVE and seen.alive):
+                together[number] = seen
+            elif seen is not known and seen is not REACHED and not (seen is ALIVE and known.alive):
+                if number not in own:
+                    own.add(number)
+                    together[number] = Seen()
+                    together[number].absorb(known)
+                together[number].absorb(seen)
     return found
 
 
