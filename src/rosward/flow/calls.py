@@ -59,6 +59,9 @@ def run_callees(
         code = function.code
         if names and code.name not in names:
             continue
+        mine = waiting.get(key, ())
+        if len(several) > 1 and len(several) != len(mine):  # nobody tells them apart
+            several = walker.sites.together(seen, key)
         marks = _all_bound(walker, op, body, several)
         if told != NOTHING:
             marks = [[*m[:1], *(each.joined(told) for each in m[1:])] for m in marks]
@@ -71,7 +74,6 @@ def run_callees(
         name = f"{function.module.name}.{code.qualname}"
         if code.file.startswith("models:") and not code.is_stub:
             result = _perform(walker, body, name, marks[0], result)
-        mine = waiting.get(key, ())
         if walker.hurries and code.file.startswith("models:") and walker.shape.said(name).pure:
             computed = library.computed(walker, body, name, marks[0])
             result = computed if result is None else result.joined(computed)

@@ -12,7 +12,7 @@ from typing import Final, final
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
 from rosward.domain.values import Class, Const, Function, Value
-from rosward.engine.seen import Called, Seen
+from rosward.engine.seen import Called, Handed, Seen
 from rosward.flow.marks import Root, of_library
 from rosward.flow.released import callees
 from rosward.ir import ops
@@ -45,6 +45,7 @@ class Sites:
     def __init__(self) -> None:
         self._calls: dict[Seen, Site] = {}
         self._by_code: dict[Seen, dict[str, list[Called]]] = {}
+        self._together: dict[tuple[Seen, str], list[Called]] = {}
 
     def of(self, op: ops.Call, seen: Seen) -> Site:
         """What is said of a call."""
@@ -63,6 +64,32 @@ class Sites:
             for called in seen.calls.values():
                 found.setdefault(called.function.code.key, []).append(called)
         return found
+
+    def together(self, seen: Seen, key: str) -> list[Called]:
+        """The calls of one code, those as one that differ in nothing but the objects that stand in a register."""
+        found = self._together.get((seen, key))
+        if found is None:
+            ones: dict[object, Called] = {}
+            for number, called in enumerate(self.by_code(seen)[key]):
+                kind = _kind(called) or number
+                known = ones.get(kind)
+                ones[kind] = called if known is None else _both(known, called)
+            found = self._together[seen, key] = list(ones.values())
+        return found
+
+
+def _kind(called: Called) -> object:
+    """What tells a call from others with which it can be taken together; None where there are none such."""
+    handed = (*called.args, *(h for _, h in called.keywords))
+    if not all(h.registers or h.more for h in handed):
+        return None
+    return (called.function, len(called.args), tuple([h.registers for h in handed]), *[n for n, _ in called.keywords])
+
+
+def _both(one: Called, other: Called) -> Called:
+    args = tuple(map(Handed.joined, one.args, other.args))
+    keywords = tuple((n, a.joined(b)) for (n, a), (_, b) in zip(one.keywords, other.keywords, strict=True))
+    return Called(one.function, args, keywords)
 
 
 _NO_CALLS: Final[dict[str, list[Called]]] = {}
