@@ -54,7 +54,8 @@ def run_callees(
     inside = body.pc | pc
     ways: list[Way] = []
     called_here: set[str] = set()
-    for key, several in walker.sites.by_code(seen).items():
+    for key, apart in walker.sites.by_code(seen).items():
+        several = apart
         function = several[0].function
         code = function.code
         if names and code.name not in names:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
 from rosward.engine.seen import ALIVE, REACHED, Activation, Seen
+from rosward.engine.watch import is_of_program
 from rosward.flow.body import Attempt, Body, Point, here
 from rosward.flow.content import TooLongError
 from rosward.flow.failing import may_fail
@@ -91,7 +92,7 @@ class Walker:
         self.narrowed: list[str] = []  # the names of parameters that the branches around are about
         self.sites = Sites()
         self._most = most
-        self.together = _size(watch) > _LARGE  # calls of one body are not told apart by what was seen in each
+        self.together = watch.measure()  # calls of one body are not told apart by what was seen in each
         self._beside = 0  # how often `beside` became more
         self._remembered: dict[Activation, list[Remembered]] = {}
         self._bodies: dict[Seen, dict[str, list[Activation]]] = {}
@@ -159,7 +160,7 @@ class Walker:
             for activation in dict.fromkeys((*seen.callees, *further)):
                 found.setdefault(activation.code.key, []).append(activation)
             for key, several in found.items():
-                if self.together and _is_of_program(several[0]):
+                if self.together and is_of_program(several[0].code):
                     found[key] = [self._whole(key, several[0])]
                 elif len(several) > _FEW:
                     found[key] = [_merged(several)]
@@ -381,22 +382,10 @@ def _merged(several: list[Activation]) -> Activation:
     return found
 
 
-def _is_of_program(activation: Activation) -> bool:
-    """Whether it is code of the program in Python; what a library does with a name depends on which one that is."""
-    return activation.code.language != CPP and not activation.code.file.startswith("models:")
-
-
-def _size(watch: Watch) -> int:
-    """So many operations were seen, each as often as it was told apart."""
-    return sum(len(a.seen) for several in watch.activations.values() for a in several)
-
-
 _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))
 """What may be the first to meet a source."""
 _CALM: Final = 50_000
 """After so much, functions of libraries that only compute are taken as a whole."""
-_LARGE: Final = 12_000
-"""In a process with more operations, calls of one body in several contexts are walked through as one."""
 _FEW: Final = 8
 """So many activations of a body are walked through one by one for one operation."""
 _DEEP: Final = 40
