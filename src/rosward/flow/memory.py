@@ -18,7 +18,7 @@ from rosward.flow.remembered import Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
 from rosward.flow.store import MASK, SHIFT, Covered
-from rosward.flow.tracker import Tracker, differing
+from rosward.flow.tracker import KeySets, Tracker, differing
 
 
 @final
@@ -129,8 +129,8 @@ class Memory(Standing):
 
     def finds(self, tracker: Tracker) -> bool:
         """Whether what a walk read stands here as it did."""
-        for root, keys in tracker.reads.items():
-            here, then = self.now(root), tracker.was_read(root)
+        for root, keys, then in tracker.was_read():
+            here = self.now(root)
             if here is then:
                 continue
             if keys is None:
@@ -142,10 +142,10 @@ class Memory(Standing):
                         return False
         return True
 
-    def left(self, tracker: Tracker) -> tuple[Written, ...]:
-        """What a walk has written, as it stands here."""
+    def left(self, tracker: Tracker, known: KeySets) -> tuple[Written, ...]:
+        """What a walk has written, as it stands here. Its keys are among the known ones from then on."""
         return tuple(
-            Written(root, keys, content)
+            Written(root, None if keys is None else known.setdefault(f := frozenset(keys), f), content)
             for root, keys in tracker.wrote.items()
             if (content := self.known(root)) is not None
         )

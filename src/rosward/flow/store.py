@@ -11,7 +11,7 @@ have one number, and one content.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Set
 from itertools import compress
 from operator import is_not
 from typing import Final, final
@@ -39,7 +39,7 @@ class Covered(NamedTuple):
 
     ours: Content
     theirs: Content
-    keys: set[object] | None
+    keys: Set[object] | None
 
 
 @final

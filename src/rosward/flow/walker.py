@@ -21,7 +21,7 @@ from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered
 from rosward.flow.sinks import DEEP, Chain, Sinks
 from rosward.flow.site import Sites
-from rosward.flow.tracker import Tracker
+from rosward.flow.tracker import KeySets, Tracker
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.program import CPP
@@ -94,6 +94,7 @@ class Walker:
         self._most = most
         self.together = watch.measure()  # calls of one body are not told apart by what was seen in each
         self._beside = 0  # how often `beside` became more
+        self._key_sets: KeySets = {}
         self._remembered: dict[Activation, list[Remembered]] = {}
         self._bodies: dict[Seen, dict[str, list[Activation]]] = {}
         self._wholes: dict[str, Activation] = {}
@@ -308,9 +309,10 @@ class Walker:
         if self.attempts:
             self.attempts[-1].mask |= before
         if not tracker.open:
-            tracker.ended()
+            left = self.memory.left(tracker, self._key_sets)
+            tracker.ended(self._key_sets)
             del earlier[MOST[activation.code.language] - 1 :]
-            earlier.insert(0, Remembered(given, tracker, self.memory.left(tracker), result, raising, beside))
+            earlier.insert(0, Remembered(given, tracker, left, result, raising, beside))
         return result
 
     def _walk(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
