@@ -64,9 +64,8 @@ class Watch:
     def __init__(self) -> None:
         self.activations: dict[tuple[str, int], list[Activation]] = {}
         self.bodies: dict[str, list[Activation]] = {}  # by the key of the body
-        self.is_large = (
-            False  # so much was seen that contexts of one body of the program are not told apart from then on
-        )
+        # So much was seen that contexts of one body of the program are not told apart from then on.
+        self.is_large = False
         self._shared: dict[str, Activation] = {}  # what stands for those of many contexts
         self._count_down = 1  # so many activations later it is looked again whether it is large
         self.begun: dict[Activation, None] = {}  # those that nothing called: the main body

@@ -41,9 +41,9 @@ if TYPE_CHECKING:
     from rosward.engine.watch import Watch
 
 _ROUNDS: Final = 40
-_LEAST: Final = 80_000
+_LEAST: Final = 105_000
 _MOST: Final = 300_000
-"""The walk may take as many steps as the interpretation, or half as many and the least; but no more than the most.
+"""The walk may take as many steps as the interpretation, or a quarter as many and the least; but no more than the most.
 
 Walks that come to their end take 5 times as many steps in small processes, and fewer in large ones; others would go on in vain.
 """
@@ -74,7 +74,7 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     both = {**straight.TABLE, **blocks.TABLE}
     tables = {PYTHON: Table(both), CPP: Table({**both, **cpp.TABLE})}
     steps = machine.precision.steps
-    most = min(max(_LEAST + (steps >> 1), steps), _MOST)
+    most = min(max(_LEAST + (steps >> 2), steps), _MOST)
     walker = Walker(watch, Shape(machine), tables, most, machine.budget.watched)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
     try:
