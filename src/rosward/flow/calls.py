@@ -19,7 +19,7 @@ from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import Activation, Called, Handed, Seen, refs_of
-from rosward.flow import library, natives
+from rosward.flow import implicit, library, natives
 from rosward.flow.body import Body
 from rosward.flow.constructed import construct
 from rosward.flow.content import Content
@@ -27,8 +27,8 @@ from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of
 from rosward.flow.partials import bound_in
 from rosward.flow.reading import arising, leads
-from rosward.flow.released import callees, released
-from rosward.flow.site import is_native
+from rosward.flow.released import released
+from rosward.flow.site import callees, is_native
 from rosward.flow.ways import Way, each_way, either, joined_marks
 from rosward.ir import ops
 from rosward.ir.registers import reads
@@ -260,7 +260,8 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     result = NOTHING if given is None else given
     for callee in site.callees:
         if is_native(callee):
-            computed = natives.apply(walker, op, body, seen, callee, marks)
+            handed = implicit.with_elements(seen, marks, given)
+            computed = natives.apply(walker, op, body, seen, callee, handed)
             result = result.joined(computed)
             if walker.attempts and may_fail(op, seen):
                 walker.attempts[-1].mask |= computed.mask
@@ -272,7 +273,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         if walker.attempts:
             walker.attempts[-1].mask |= computed.mask
     roots = frozenset(map(walker.shape.owner, leads(seen, result))) | site.externals
-    mask = result.mask | body.pc | pc | (0 if site.opens else arising(walker, seen))
+    mask = result.mask | body.pc | pc | (0 if site.opens else arising(walker, seen)) | implicit.given_by(walker, marks)
     for _, entry in seen.scheduled:
         mask |= walker.returned.get(entry, 0)
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))

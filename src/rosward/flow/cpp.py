@@ -10,7 +10,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
-from rosward.engine.seen import Seen
+from rosward.domain.values import NONE, Class
+from rosward.engine.seen import Seen, refs_of
 from rosward.flow import cpp_making, cpp_outside, straight
 from rosward.flow.body import Body
 from rosward.flow.content import Content
@@ -32,6 +33,7 @@ from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
 from rosward.ir import cpp, ops
 from rosward.ir.registers import reads
+from rosward.models.cpp.copies import overlapping
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -99,7 +101,7 @@ def _member(walker: Walker, op: cpp.Member, body: Body, seen: Seen) -> None:
     owner = body.registers[op.obj]
     held = value(walker, owner)
     given = acts(walker, op, body, seen, [owner]) if seen.bound or seen.callees else None
-    found = Mark(held.mask | body.pc, nameless(held))
+    found = Mark(held.mask | body.pc | _beside(walker, owner, held, op.name), nameless(held))
     if op.slot:
         if not seen.refs or seen.reasons:  # a part of something that is not known stands where that does
             found = found.joined(Mark(0, slots(owner)))
@@ -116,6 +118,21 @@ def _member(walker: Walker, op: cpp.Member, body: Body, seen: Seen) -> None:
             frozenset(r for r in mark.roots if r not in held.roots or r in seen.refs or not isinstance(r, int)),
         )
     body.registers[op.dst] = mark
+
+
+def _beside(walker: Walker, owner: Mark, held: Mark, name: str) -> int:
+    """What is in a member because of others: those of a union are written together, the key of an entry stands where no slot is."""
+    mask, shape = 0, walker.shape
+    for root in held.roots:
+        record = shape.record(root) if isinstance(root, int) else None
+        if record is None or not isinstance(record.cls, Class):
+            continue
+        for other in overlapping(shape.record(record.cls.address), name):
+            parts = refs_of(record.attrs.get(other, NONE))
+            mask |= walker.memory.deep(Mark(0, frozenset((root, *parts))))
+    if name == "first":
+        mask |= cpp_outside.keys(walker, frozenset(filter(is_slot, owner.roots)))
+    return mask
 
 
 def _item(walker: Walker, op: cpp.Item, body: Body, seen: Seen) -> None:

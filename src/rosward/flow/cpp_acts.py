@@ -46,8 +46,11 @@ def acts(
         given = Mark(0, frozenset(p for b in seen.bound.values() for g in b.given for p in g.places))
         copies(walker, seen, everything, but=frozenset(walker.memory.reached(given)))
     cpp_calls.sends(walker, body, seen, marks)
+    passed = (
+        marks if result is None else [*marks, result]
+    )  # a model writes what it is given, and what callables give it
     for done in (
-        cpp_outside.natives(walker, body, seen, marks, keys),
+        cpp_outside.natives(walker, body, seen, passed, keys),
         cpp_outside.strange(walker, op.number, body, seen, marks, called),
     ):
         if done is not None:

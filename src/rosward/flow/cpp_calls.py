@@ -24,6 +24,7 @@ from rosward.flow.cpp_values import (
 )
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot
 from rosward.flow.ways import Way, each_way, either, joined_marks
+from rosward.models.cpp.typed import Declared
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -76,7 +77,7 @@ def callees(
     for group in groups.values():
         ways: list[Way] = []
         for code_key, several in group:
-            ways += _ways(walker, body, several, waiting.get(code_key, ()), known, everything, inside)
+            ways += _ways(walker, body, seen, several, waiting.get(code_key, ()), known, everything, inside)
         steps.append(ways)
     result: Mark | None = None
     for ways in steps:
@@ -90,6 +91,7 @@ def callees(
 def _ways(
     walker: Walker,
     body: Body,
+    seen: Seen,
     several: list[Bound],
     activations: Iterable[Activation],
     known: dict[int, Mark],
@@ -104,13 +106,14 @@ def _ways(
         found.append(partial(_declared, walker, body, function, joined_marks(marks)))
     for number, activation in enumerate(mine):
         given = marks[number] if len(marks) == len(mine) else joined_marks(marks)
-        found.append(partial(_enter, walker, activation, function, given, pc))
+        found.append(partial(_enter, walker, seen, activation, function, given, pc))
     return found
 
 
-def _enter(walker: Walker, activation: Activation, function: Function, given: list[Mark], pc: int) -> Mark:
+def _enter(walker: Walker, seen: Seen, activation: Activation, function: Function, given: list[Mark], pc: int) -> Mark:
     """Through a body; where its parameters lead was seen when it began."""
     marks = []
+    _declared_by_type(walker, seen, function, given)
     for number, places in enumerate(activation.begun):
         mark = given[number] if number < len(given) else Mark(pc)
         marks.append(Mark(mark.mask, frozenset(places) | nameless(mark) if places or not mark.roots else mark.roots))
@@ -119,6 +122,19 @@ def _enter(walker: Walker, activation: Activation, function: Function, given: li
         result = result.under(_effects(walker, function, given, pc))
         result = _held(walker, function, given, result)
     return result
+
+
+def _declared_by_type(walker: Walker, seen: Seen, function: Function, given: list[Mark]) -> None:
+    """What stands for an argument of which only the type is known holds all that the argument is made of."""
+    made = [(address, site) for address, site in seen.made.items() if site.__class__ is Declared]
+    signature = function.code.signature
+    if not made or signature is None:
+        return
+    first = signature.leading + len(signature.template)
+    for number, parameter in enumerate(signature.parameters, first):
+        mine = [address for address, site in made if site.what == (function.code.key, parameter.name)]
+        if mine and number < len(given):
+            walker.memory.write_any(mine, Mark(walker.memory.deep(value(walker, given[number]))))
 
 
 def _held(walker: Walker, function: Function, given: list[Mark], result: Mark) -> Mark:

@@ -236,7 +236,9 @@ def _elements(walker: Walker, op: cpp.Elements, body: Body, seen: Seen) -> None:
         is_known = bool(seen.refs) and not seen.reasons
         found = Mark(held.mask if is_known else found.mask, found.roots | slots(source))
     for address in seen.made:  # the pairs of a map
-        walker.memory.place(address, Content(0, elements(walker, held), 0))
+        whole = elements(walker, held)
+        keys = whole.under(walker.memory.size(held.roots))
+        walker.memory.place(address, Content(0, NOTHING, 0, {"first": keys, "second": whole}))
     root = walker.shape.made(body.activation, op.number, "elements", "tuple")
     walker.memory.place(root, Content(0, found.under(body.pc), walker.memory.size(held.roots) | held.mask))
     body.registers[op.dst] = Mark(body.pc, frozenset((root,)))

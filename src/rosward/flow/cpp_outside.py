@@ -7,7 +7,7 @@ vendor::fill(frame, data);   nobody knows: what is passed may hold any of the ar
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeGuard
 
 from rosward.effects.flows import Source
 from rosward.engine.seen import Seen
@@ -28,9 +28,11 @@ if TYPE_CHECKING:
     from rosward.flow.walker import Walker
 
 
-def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tuple[object, ...] = ()) -> Mark | None:
+def natives(
+    walker: Walker, body: Body, seen: Seen, marks: list[Mark], constants: tuple[object, ...] = ()
+) -> Mark | None:
     """What models in code give, and what they write; None where none runs."""
-    mine = [m for m in seen.made if not _is_copy(seen.made[m])]
+    mine = [m for m, site in seen.made.items() if not _is_copy(site) or site[1] in seen.made]
     wrote = seen.wrote - set(seen.made)
     if not (seen.natives or wrote):
         return None
@@ -66,7 +68,7 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tup
         brought |= _of_library(walker) if name == "rosward.unknown" else 0
         brought |= _arrives(walker, body, seen, name)
         if name.startswith("rosward."):
-            brought |= _parameter(walker, body, seen, name, marks, keys)
+            brought |= _parameter(walker, body, seen, name, marks, constants)
     content = near if names and all(n in STORES for n in last) else whole
     written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
     if not any(n in _ARRIVING for n in names):
@@ -79,6 +81,12 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tup
         return passed_on.under(body.pc | brought | arising(walker, seen))
     mask = whole.mask | brought | arising(walker, seen)
     return Mark(mask, nameless(whole))
+
+
+def keys(walker: Walker, roots: frozenset[Root]) -> int:
+    """What the keys of maps are made of, which no slot holds."""
+    bases = {slot_of(root)[0] if is_slot(root) else root for root in roots}
+    return walker.memory.size([b for b in bases if isinstance(b, int) and walker.shape.kind(b) == "dict"])
 
 
 def _parameter(walker: Walker, body: Body, seen: Seen, name: str, marks: list[Mark], keys: tuple[object, ...]) -> int:
@@ -120,22 +128,30 @@ def _of_library(walker: Walker) -> int:
     return mask
 
 
-def _is_copy(site: object) -> bool:
+def _is_copy(site: object) -> TypeGuard[tuple[str, int]]:
     return isinstance(site, tuple) and site[:1] == ("copy",)
 
 
 def _written(walker: Walker, marks: list[Mark], seen: Seen, wrote: set[int], written: Mark, body: Body) -> None:
-    """What the interpretation saw written holds more now: the slots that were passed, else any part of the object."""
+    """What the interpretation saw written holds more now: the variables that were passed, else any part of the object.
+
+    What is passed of a container is an iterator: what is inserted there, or written from there on, may be any element.
+    """
     own = bool(seen.natives) and all(n.startswith("rosward.") for n in seen.natives)
     for address in wrote:
         passed = {r for mark in marks for r in mark.roots if is_slot(r) and slot_of(r)[0] == address}
         if own and not passed:  # what the models note in their own objects is no content
             continue
+        record = walker.shape.record(address)
+        variable = record is None or record.kind not in _CONTAINERS
         walker.memory.write_any(
-            passed or [address], Mark(written.mask, written.roots - {address}), body.pc | written.mask
+            passed if passed and variable else [address],
+            Mark(written.mask, written.roots - {address}),
+            body.pc | written.mask,
         )
 
 
+_CONTAINERS: Final = frozenset({"list", "set", "dict"})
 _PASSING: Final = frozenset(
     f"rosward.{name}" for name in ("either", "parameter_value", "parameter_as", "parameter_text")
 )

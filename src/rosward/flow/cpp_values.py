@@ -14,6 +14,7 @@ from rosward.engine.seen import refs_of
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.reading import arising
+from rosward.models.cpp.typed import MESSAGE
 
 if TYPE_CHECKING:
     from rosward.engine.seen import Seen
@@ -118,7 +119,7 @@ def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root]
             memory.place(address, Content())
 
 
-_MERGED: Final = ("copy of several", "opaque")
+_MERGED: Final = ("copy of several", "opaque", MESSAGE)
 """What objects are made of of which it is not told apart what is in them."""
 
 

@@ -28,6 +28,8 @@ _KNOWN: Final = ("rclpy.", "tf2_ros.", "builtins.")
 _SEEDING: Final = frozenset(("random.seed", "random.setstate", "numpy.random.seed", "numpy.random.set_state"))
 _SEEDED: Final[Root] = ("seeded",)
 """What decides which random numbers come."""
+LOGGED: Final[Root] = ("logged",)
+"""What handlers of the program may find in the records of `logging`."""
 _FEW: Final = 12
 """So many objects the result of an unknown call is said to be itself; it leads to more."""
 
@@ -39,6 +41,8 @@ def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
         out(walker, kind, mask | pc)
     if name in _SEEDING:
         walker.memory.write_any((_SEEDED,), Mark(mask | pc))
+    if name.startswith("logging."):
+        walker.memory.write_any((LOGGED,), Mark(mask | pc))
     given = 0
     for kind in said.sources:
         given |= comes_in(walker, kind)

@@ -30,6 +30,8 @@ Root = int | tuple[object, ...]
 
 HANDLED: Final[Root] = ("handled",)
 """Where the exceptions stand that were handled, whoever asks for them (`sys.exc_info()`)."""
+FUNCTIONS: Final[Root] = ("functions",)
+"""Where the attributes of functions stand, which have no address: told apart by their names alone."""
 
 
 def is_slot(root: Root) -> bool:

@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterable, Mapping
 from typing import final
 
 from rosward.flow.content import EMPTY, Content, Layer, both
-from rosward.flow.marks import Mark, Root, is_slot, part_of, slot_of
+from rosward.flow.marks import FUNCTIONS, Mark, Root, is_slot, part_of, slot_of
 from rosward.flow.remembered import Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
@@ -182,6 +182,12 @@ class Memory(Standing):
     def write(self, roots: frozenset[Root], key: object, mark: Mark) -> None:
         """Something is written under a key: in the place of what stood there, where it is surely one object."""
         self.write_each(roots, {key: mark})
+
+    def set_attribute(self, roots: frozenset[Root], name: str, mark: Mark) -> None:
+        """The same for an attribute, also of a function: these are told apart by their names alone."""
+        if not roots:
+            mark = mark.joined(self.read((FUNCTIONS,), name))
+        self.write(roots or frozenset((FUNCTIONS,)), name, mark)
 
     def write_each(
         self, roots: frozenset[Root], marks: Mapping[object, Mark], perhaps: Collection[object] = ()

@@ -19,11 +19,11 @@ from rosward.engine.seen import refs_of
 from rosward.flow import containers, library, parameters, partials
 from rosward.flow.constructed import fill
 from rosward.flow.content import Content
-from rosward.flow.marks import HANDLED, NOTHING, Mark, Root, decided, demoted, of_library
+from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, Root, decided, demoted, of_library
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, owners_of
-from rosward.flow.released import callees
+from rosward.flow.site import callees
 from rosward.ir import ops
 from rosward.ir.ops import Call
 from rosward.models.ros.interfaces import message_name
@@ -133,10 +133,24 @@ def _kept(name: str) -> bool:
     return name in ("open", "io.open")
 
 
+def _variables(call: NativeCall) -> Mark:
+    """The attributes of an object; without one, the variables of the function that runs, as they are now."""
+    if call.marks or call.within:
+        return _pass(call)
+    found, memory = NOTHING, call.walker.memory
+    for mark in call.body.registers:
+        found = found.joined(mark)
+    for cell in call.body.activation.cells:
+        found = found.joined(memory.read((cell,), "value"))
+    owners = frozenset(map(call.walker.shape.owner, call.seen.refs))
+    return call.new(Content(0, found, call.pc)) if owners == frozenset(call.seen.refs) else Mark(call.pc, owners)
+
+
 def _get_attribute(call: NativeCall) -> Mark:
     memory, owner = call.walker.memory, call.mark(0)
     key = call.key(1)
-    found = memory.read_all(owner.roots) if not isinstance(key, str) else memory.read(owner.roots, key)
+    roots = owner.roots or frozenset((FUNCTIONS,))
+    found = memory.read_all(roots) if not isinstance(key, str) else memory.read(roots, key)
     if not isinstance(key, str) and call.mark(1).mask:
         out(call.walker, "method", call.mark(1).mask)
         if any(isinstance(root, int) for root in owner.roots) and call.seen.reasons and not call.seen.refs:
@@ -149,9 +163,9 @@ def _set_attribute(call: NativeCall) -> Mark:
     key = call.key(1)
     written = call.mark(2).under(call.pc | call.mark(1).mask | demoted(owner.mask))
     if isinstance(key, str):
-        memory.write(owner.roots, key, written)
+        memory.set_attribute(owner.roots, key, written)
     else:
-        memory.write_any(owner.roots, written, call.pc)
+        memory.write_any(owner.roots or frozenset((FUNCTIONS,)), written, call.pc)
     return Mark(call.pc)
 
 
@@ -321,7 +335,8 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **dict.fromkeys(
         ("delattr", "object.__getattribute__", "object.__setattr__", "object.__delattr__"), _object_attribute
     ),
-    **dict.fromkeys(("_rosward.either", "_rosward.default", "_rosward.awaited", "vars"), _pass),
+    **dict.fromkeys(("_rosward.either", "_rosward.default", "_rosward.awaited"), _pass),
+    **dict.fromkeys(("vars", "locals"), _variables),
     **dict.fromkeys(
         (
             *("_rosward.schedule", "_rosward.ask", "_rosward.overridden", "_rosward.opaque", "_rosward.escape"),

@@ -15,13 +15,14 @@ from rosward.domain.values import Function, Ref, Unknown, Value
 from rosward.effects.flows import Flow, ProcessFlows, Sink, Source
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
-from rosward.engine.escape import BY_LIBRARY
+from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
 from rosward.engine.seen import refs_of
-from rosward.flow import blocks, cpp, cpp_calls, straight
+from rosward.flow import blocks, cpp, cpp_calls, implicit, straight
 from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send, sink_of
 from rosward.flow.content import Content, TooLongError
+from rosward.flow.library import LOGGED
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
 from rosward.flow.memory import Memory
 from rosward.flow.said import wrong_marks
@@ -199,6 +200,8 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
             send(walker, effect, walker.memory.deep(result) | pc)
     if entry.event == BY_LIBRARY:
         walker.give_back(entry, walker.memory.deep(result))
+    if entry.event == BY_PYTHON:
+        implicit.keep(walker, entry.callback, walker.memory.deep(result))
     walker.leave()
 
 
@@ -208,6 +211,8 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     roots = frozenset(refs_of(value))
     if roots and _came(walker, entry):
         return Mark(0, roots)
+    if entry.event == "log":
+        return Mark(walker.memory.of(LOGGED).whole.mask, roots)
     if number == _which(entry) and entry.event in ("message", "service", "goal", "feedback") and sources:
         mask = 0
         for source in sources:

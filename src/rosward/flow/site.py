@@ -10,11 +10,10 @@ from collections.abc import Iterable, Iterator
 from typing import Final, final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
 from rosward.domain.values import Class, Const, Function, Value
-from rosward.engine.seen import Called, Handed, Seen
+from rosward.engine.seen import ALIVE, REACHED, Activation, Called, Handed, Seen
 from rosward.flow.marks import Root, of_library
-from rosward.flow.released import callees
 from rosward.ir import ops
 
 
@@ -95,11 +94,45 @@ def _both(one: Called, other: Called) -> Called:
 _NO_CALLS: Final[dict[str, list[Called]]] = {}
 
 
+def merged(several: list[Activation]) -> Activation:
+    """All that was seen of one body. What was seen in one activation only, or of which nothing is known but that it ran, is not copied."""
+    first = several[0]
+    found = Activation(first.code, -1, first.cells, first.module)
+    together, own = found.seen, set[int]()
+    for each in several:
+        found.names |= each.names
+        for number, seen in each.seen.items():
+            known = together.get(number)
+            if known is None or known is REACHED or (known is ALIVE and seen.alive):
+                together[number] = seen
+            elif seen is not known and seen is not REACHED and not (seen is ALIVE and known.alive):
+                if number not in own:
+                    own.add(number)
+                    together[number] = Seen()
+                    together[number].absorb(known)
+                together[number].absorb(seen)
+    return found
+
+
 def is_native(callee: Value) -> bool:
     """Whether it is a function of a library, or a method of a builtin."""
     return isinstance(callee, (Native, External)) or (
         isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
     )
+
+
+def callees(functions: Iterable[Value]) -> Iterable[Value]:
+    """What is behind methods and partials."""
+    for value in functions:
+        for option in options(value):
+            while isinstance(option, Partial):
+                option = option.function  # noqa: PLW2901 - what it stands for
+            if isinstance(option, BoundMethod) and not isinstance(option.function, Native):
+                yield option.function
+            elif isinstance(option, Descriptor):
+                yield option.getter
+            else:
+                yield option
 
 
 def _as_written(op: ops.Call, functions: Iterable[Value]) -> Iterator[Value]:

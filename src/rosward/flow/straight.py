@@ -11,10 +11,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
+from rosward.flow import implicit
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
 from rosward.flow.content import Content
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of, of_library
+from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
 from rosward.ir import ops
 from rosward.ir.registers import reads, writes
@@ -33,6 +34,8 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     mask = body.pc
     for register in reads(op):
         mask |= walker.memory.deep(body.registers[register])
+    if walker.implicit:
+        mask |= implicit.given_by(walker, [body.registers[register] for register in reads(op)])
     given = run_callees(walker, op, body, seen)
     roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
     if given is not None:
@@ -124,7 +127,7 @@ def _of_model(walker: Walker, op: ops.LoadAttr, body: Body, root: int) -> Mark:
 def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None:
     owner, name = body.registers[op.obj], op.name
     if name == "__dict__":  # the same slots by another way
-        body.registers[op.dst] = owner.under(body.pc)
+        body.registers[op.dst] = Mark(owner.mask | body.pc, owner.roots or frozenset((FUNCTIONS,)))
         return
     memory, shape = walker.memory, walker.shape
     given = run_callees(walker, op, body, seen)
@@ -132,6 +135,10 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
     several = memory.apart(owner.roots)
     shape.spent += (len(owner.roots) + len(seen.refs)) >> 3
     known = bool(owner.roots)  # whether it was written wherever it may stand
+    if not owner.roots:
+        kept = memory.part(FUNCTIONS, name).read(name)
+        mask |= kept.mask
+        roots |= kept.roots
     for root in several:
         if root.__class__ is tuple and root[0] == "external":  # no address
             known = known and name in memory.part(root, name).slots
@@ -179,7 +186,7 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
     owner, value = body.registers[op.obj], body.registers[op.src]
     run_callees(walker, op, body, seen)
     if not seen.calls:  # a generator that goes on at the end of a loop's body is no property
-        walker.memory.write(owner.roots, op.name, value.under(body.pc | demoted(owner.mask)))
+        walker.memory.set_attribute(owner.roots, op.name, value.under(body.pc | demoted(owner.mask)))
 
 
 def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None:
@@ -189,7 +196,7 @@ def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None
     found = walker.memory.read(owner.roots, key) if key is not None else walker.memory.read_all(owner.roots)
     roots = leads(seen, found)
     roots |= frozenset(r for r in owner.roots if not isinstance(r, int) and r[0] != "tuple")  # a view of it
-    mask = owner.mask | walker.memory.deep(index) | found.mask | body.pc
+    mask = owner.mask | walker.memory.deep(index) | found.mask | body.pc | implicit.given_by(walker, (index,))
     if _SLICE in index.roots:
         mask |= walker.memory.size(owner.roots)
     if given is not None:

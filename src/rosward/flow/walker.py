@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
-from rosward.engine.seen import ALIVE, REACHED, Activation, Seen
+from rosward.engine.seen import Activation, Seen
 from rosward.engine.watch import is_of_program
 from rosward.flow.body import Attempt, Body, Point, here
 from rosward.flow.content import TooLongError
@@ -20,7 +20,7 @@ from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered
 from rosward.flow.sinks import DEEP, Chain, Sinks
-from rosward.flow.site import Sites
+from rosward.flow.site import Sites, merged
 from rosward.flow.tracker import KeySets, Tracker
 from rosward.flow.trail import Trail
 from rosward.ir import ops
@@ -78,6 +78,7 @@ class Walker:
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
         self.callbacks: dict[Scheduled, Mark] = {}  # as each was registered
         self.handed: dict[Scheduled, tuple[str, ...]] = {}  # the classes of what a library calls each with
+        self.implicit: set[int] = set()  # the classes of which Python has called special methods by itself
         self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
@@ -164,7 +165,7 @@ class Walker:
                 if self.together and is_of_program(several[0].code):
                     found[key] = [self._whole(key, several[0])]
                 elif len(several) > _FEW:
-                    found[key] = [_merged(several)]
+                    found[key] = [merged(several)]
             self._bodies[seen] = found
         return found
 
@@ -182,6 +183,13 @@ class Walker:
         old = self.returned.get(entry, 0)
         if old | mask != old:
             self.returned[entry] = old | mask
+            self.changed = True
+
+    def call_implicitly(self, cls: int) -> None:
+        """Python has called a special method of a class by itself: what is made of its objects may depend on that."""
+        if cls not in self.implicit:
+            self.implicit.add(cls)
+            self._remembered.clear()
             self.changed = True
 
     def send(self, sink: Sink, mask: int) -> None:
@@ -360,28 +368,8 @@ class Walker:
         """All that was seen of a body. Of a generator, another part of it runs each time it goes on."""
         found = self._wholes.get(key)
         if found is None:
-            found = self._wholes[key] = _merged(self.watch.bodies.get(key, [activation]))
+            found = self._wholes[key] = merged(self.watch.bodies.get(key, [activation]))
         return found
-
-
-def _merged(several: list[Activation]) -> Activation:
-    """All that was seen of one body. What was seen in one activation only, or of which nothing is known but that it ran, is not copied."""
-    first = several[0]
-    found = Activation(first.code, -1, first.cells, first.module)
-    together, own = found.seen, set[int]()
-    for each in several:
-        found.names |= each.names
-        for number, seen in each.seen.items():
-            known = together.get(number)
-            if known is None or known is REACHED or (known is ALIVE and seen.alive):
-                together[number] = seen
-            elif seen is not known and seen is not REACHED and not (seen is ALIVE and known.alive):
-                if number not in own:
-                    own.add(number)
-                    together[number] = Seen()
-                    together[number].absorb(known)
-                together[number].absorb(seen)
-    return found
 
 
 _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))

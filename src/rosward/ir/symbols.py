@@ -153,6 +153,10 @@ class Symbol(Protocol):
         """A variable that is a reference; a function that returns one."""
 
     @property
+    def overlaps(self) -> bool:
+        """A field that shares its storage with others, of a union."""
+
+    @property
     def parameters(self) -> tuple[ParameterSymbol, ...]:
         """Those of a function, `this` left out."""
 

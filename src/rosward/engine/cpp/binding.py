@@ -16,7 +16,7 @@ from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.handing import is_member, objects_of
@@ -25,9 +25,11 @@ from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.types import is_message, is_pointer_pattern, match, pointee, type_of
 from rosward.ir.symbols import ParameterSymbol, Signature, TypePattern
 from rosward.models.cpp.slots import read
+from rosward.models.cpp.typed import Declared, typed
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
+    from rosward.ir.program import Code
 
 __all__ = ["bind", "deduce"]
 
@@ -60,7 +62,7 @@ def bind(
         if parameter.pack:
             registers.append(Tuple(given[index:]))
         elif index < len(given):
-            registers.append(_fitted(machine, env, parameter, given[index], bindings))
+            registers.append(_fitted(machine, function.code, env, parameter, given[index], bindings))
         else:
             missing = not parameter.default and ANY in keywords
             registers.append(_any(machine, env, parameter, bindings, keywords[ANY]) if missing else UNBOUND)
@@ -119,10 +121,22 @@ def _matched(machine: Engine, pattern: object, value: Value, wanted: frozenset[s
 
 
 def _fitted(
-    machine: Engine, env: ModuleValue, parameter: ParameterSymbol, value: Value, bindings: Mapping[str, Value]
+    machine: Engine,
+    code: Code,
+    env: ModuleValue,
+    parameter: ParameterSymbol,
+    value: Value,
+    bindings: Mapping[str, Value],
 ) -> Value:
-    """An argument as a parameter takes it. Messages alone arrive otherwise than they are asked for: a library hands them over."""
+    """An argument as a parameter takes it: of its type, where it is not known.
+
+    Messages alone arrive otherwise than they are asked for: a library hands them over."""
     held = read(machine, value)
+    if any(o.__class__ is Unknown and not o.hint for o in options(held)):
+        type_ = type_of_pattern(machine, env, parameter.type, bindings)
+        shown = typed(machine, held, type_, Declared((code.key, parameter.name)))
+        if shown != held:
+            return shown
     if not any(isinstance(o, (Pointer, Ref)) for o in options(held)):
         return value
     if parameter.type.builtin.startswith("auto") or not (parameter.type.names or parameter.type.pointers):

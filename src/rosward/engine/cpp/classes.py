@@ -20,7 +20,7 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import flat, match
 from rosward.ir.program import MODEL_PREFIX
 from rosward.ir.symbols import Symbol, SymbolKind, TemplateParameter
-from rosward.models.cpp.copies import COPY, REFERENCES
+from rosward.models.cpp.copies import COPY, REFERENCES, UNION
 
 if TYPE_CHECKING:
     from rosward.engine.cpp.names import Found
@@ -172,6 +172,9 @@ def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:
     references = tuple(Const(info.keys[f.name]) for f in info.fields if f.reference)
     if references:
         rules[REFERENCES] = Tuple(references)
+    shared = tuple(Const(info.keys[f.name]) for f in info.fields if f.overlaps)
+    if shared:
+        rules[UNION] = Tuple(shared)
     if "node_class" in symbol.marks or "unique" in symbol.marks:
         rules[COPY] = NONE
     elif copies(machine, info):

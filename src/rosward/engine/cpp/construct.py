@@ -44,6 +44,7 @@ from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.conversions import default_value
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.slots import read
+from rosward.models.cpp.typed import MESSAGE, typed
 from rosward.models.cpp.types import Shape, shape_of
 
 if TYPE_CHECKING:
@@ -113,10 +114,18 @@ def _is_list(args: Sequence[Value]) -> bool:
 
 
 def _message(machine: Engine, type_: Value, args: Sequence[Value]) -> Value:
-    values = [read(machine, a) for a in args]
-    if len(values) == 1 and isinstance(values[0], Ref) and machine.obj(values[0]).cls == type_:
-        return copied(machine, args[0])
-    return machine.allocate(Obj("instance", type_), "message")
+    """A message; of one that is not known, one that may hold anything."""
+    if len(args) != 1:
+        return machine.allocate(Obj("instance", type_), "message")
+
+    def one(option: Value) -> Value:
+        if isinstance(option, Ref) and machine.obj(option).cls == type_:
+            return copied(machine, option)
+        if isinstance(option, Unknown):
+            return typed(machine, option, type_, MESSAGE)
+        return machine.allocate(Obj("instance", type_), "message")
+
+    return lift(one, read(machine, args[0]))
 
 
 def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) -> Value:
@@ -278,7 +287,7 @@ def initialise(
             value = _field_of(machine, info, symbol, given.pop(0))
         else:
             value = field_default(machine, ref, info, symbol)
-            if value is None and args and symbol.type is not None and not symbol.reference:
+            if value is None and args and symbol.type is not None and not (symbol.reference or symbol.overlaps):
                 value = default_value(machine, evaluate(machine, symbol.type, info.env))
         if value is UNBOUND:
             return False

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final, Protocol, final
 from rosward.frontends.cpp.declarators import dense, inner, spelled
 from rosward.frontends.cpp.lower import entry as lower
 from rosward.frontends.cpp.marks import function_of, marks_of, words_of
-from rosward.frontends.cpp.outline import Declared, is_scoped, local, members
+from rosward.frontends.cpp.outline import CLASSES, Declared, is_scoped, local, members
 from rosward.frontends.cpp.parse import Parsed
 from rosward.frontends.cpp.patterns import arguments, has_const, parameter_nodes, parameters
 from rosward.frontends.cpp.written import DefaultArgument, Written
@@ -214,6 +214,16 @@ class CppSymbol:
             node = inner(node)
         return False
 
+    @cached_property
+    def overlaps(self) -> bool:
+        """A field that shares its storage with others, of a union. A class without a name is a part of what is around it."""
+        node = self.declared.node.parent
+        while node is not None and node.type != "union_specifier":
+            if node.type in CLASSES and (node.child_by_field_name("name") is not None or _has_variables(node)):
+                return False
+            node = node.parent
+        return node is not None
+
     # Templates
 
     @cached_property
@@ -373,3 +383,8 @@ def template_parameter_name(node: Node) -> str:
     while name is not None and name.type.endswith("declarator"):
         name = inner(name)
     return dense(name)
+
+
+def _has_variables(node: Node) -> bool:
+    """Whether a class stands where variables are declared of it: `struct {float x; float y;} part;`."""
+    return node.parent is not None and bool(node.parent.children_by_field_name("declarator"))

@@ -34,6 +34,8 @@ COPY: Final = "<copy>"
 """The attribute of a class that makes a copy of an object of it: a callable of the object; NONE where objects of it are never copied."""
 REFERENCES: Final = "<references>"
 """The attribute of a class with the names of its fields that are references: a tuple. What they lead to is no part of an object."""
+UNION: Final = "<union>"
+"""The attribute of a class with the names of its fields that share their storage, as those of a union do: a tuple."""
 _VALUE: Final = "value"
 _DEEPEST: Final = 12
 _APART: Final = 4
@@ -71,8 +73,30 @@ def _write(machine: Machine, slot: Slot, value: Value, *, weak: bool) -> None:
             _write_item(machine, base, key, value, weak=weak)
 
 
+def overlapping(cls: Obj | None, name: str) -> frozenset[str]:
+    """By the record of a class, the fields of its objects that are written with this one."""
+    rule = None if cls is None else cls.attrs.get(UNION)
+    names = [str(each.value) for each in rule.items if isinstance(each, Const)] if isinstance(rule, Tuple) else []
+    return frozenset(names) - {name} if name in names else _NONE
+
+
+_NONE: Final = frozenset[str]()
+
+
+def _shared(machine: Machine, obj: Obj, others: frozenset[str], name: str, value: Value) -> tuple[Value, Obj]:
+    """A member of a union is written: what the others are by that nobody knows, nor what it is itself where others are written in parts."""
+    unknown = machine.unknown(Cause.OPERATION, f"member of a union: {name}")
+    attrs = {key: unknown if key in others and not isinstance(old, Ref) else old for key, old in obj.attrs.items()}
+    parts = any(isinstance(obj.attrs[key], Ref) for key in others)
+    return unknown if parts else value, obj.replace(attrs=attrs)
+
+
 def _write_field(machine: Machine, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
     obj = machine.obj(ref)
+    cls = machine.obj(Ref(obj.cls.address)) if isinstance(obj.cls, Class) else None
+    others = overlapping(cls, name).intersection(obj.attrs)
+    if others:
+        value, obj = _shared(machine, obj, others, name, value)
     old = obj.attrs.get(name)
     if old is not None and (weak or obj.many):
         value = join(old, value)

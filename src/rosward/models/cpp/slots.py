@@ -17,6 +17,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Value
+from rosward.models.cpp.typed import unknown_sequence
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.operators import items as python_items
@@ -78,7 +79,7 @@ def read_field(machine: Machine, ref: Ref, name: str) -> Value:
     if own is not None and own is not UNBOUND and (name not in obj.partial or not isinstance(obj.cls, External)):
         return own
     if isinstance(obj.cls, External):
-        found = message_fields.load_field(machine, ref, name, own)
+        found = message_fields.load_field(machine, ref, name, own, unknown_sequence)
         return message_fields.missing(machine, obj, name) if found is None else found
     return machine.unknown(Cause.OPERATION, f"field `{name}` without a value")
 

@@ -11,8 +11,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from rosward.domain.choice import lift
 from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.heap import Obj
+from rosward.domain.slots import Pointer
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Value
 from rosward.models.cpp.arity import with_least
@@ -62,11 +64,17 @@ def _async(call: NativeCall) -> Value:
 
 _TASK: Final = "task"
 _VALUE: Final = "value"
+_PROMISE: Final = "promise"
 
 
 def _future_of(call: NativeCall) -> Value:
-    """promise.get_future(): the promise itself keeps the value."""
-    return read(call.machine, call.args[0])
+    """promise.get_future(): an object that knows the promise, which keeps the value; so do its copies."""
+    machine, held = call.machine, read(call.machine, call.args[0])
+    if not isinstance(held, Ref):
+        return machine.unknown(Cause.LIVE, "std.future")
+    future = _opaque(machine, "std.future")
+    machine.update(future, machine.obj(future).with_attr(_PROMISE, Pointer(held)))
+    return future
 
 
 def _set_value(call: NativeCall) -> Value:
@@ -81,6 +89,8 @@ def _get(call: NativeCall) -> Value:
     """future.get(): what was set, or what the callable gives, which has run by now."""
     machine, held = call.machine, read(call.machine, call.args[0])
     attrs = machine.obj(held).attrs if isinstance(held, Ref) else {}
+    if _PROMISE in attrs:
+        return lift(lambda o: _promised(machine, o), attrs[_PROMISE])
     if _VALUE not in attrs and _TASK in attrs and isinstance(held, Ref):
         result = machine.call(attrs[_TASK], ())
         if result is UNBOUND:
@@ -88,6 +98,21 @@ def _get(call: NativeCall) -> Value:
         machine.update(held, machine.obj(held).with_attr(_VALUE, copied(machine, result)))
         attrs = machine.obj(held).attrs
     return attrs.get(_VALUE) or machine.unknown(Cause.LIVE, "std.future")
+
+
+def _promised(machine: Machine, promise: Value) -> Value:
+    """What was set, or will be by the time that somebody asks for it."""
+    target = promise.target if isinstance(promise, Pointer) else None
+    found = machine.obj(target).attrs.get(_VALUE) if isinstance(target, Ref) else None
+    return found or machine.unknown(Cause.LIVE, "std.future")
+
+
+def _new_future(call: NativeCall) -> Value:
+    """A future is made of another one, which it takes the place of."""
+    return copied(call.machine, call.args[1]) if len(call.args) > 1 else _made(call)
+
+
+_FUTURES: Final = ("future", "shared_future")
 
 
 def _waited(call: NativeCall) -> Value:
@@ -231,18 +256,13 @@ NATIVES: Final[dict[str, NativeFunction]] = {
         for kind in ("", "_any")
         for name in ("wait", "wait_for", "wait_until")
     },
-    **{
-        f"std.{kind}.{name}": _waited
-        for kind in ("future", "shared_future")
-        for name in ("wait", "wait_for", "wait_until")
-    },
+    **{f"std.{kind}.{name}": _waited for kind in _FUTURES for name in ("wait", "wait_for", "wait_until")},
     "std.future.get": _get,
     "std.shared_future.get": _get,
-    "std.promise.get": _get,
-    "std.future.share": _future_of,
+    "std.future.share": lambda call: copied(call.machine, call.args[0]),
+    **{f"std.{kind}.new": _new_future for kind in _FUTURES},
     "std.promise.get_future": _future_of,
     "std.promise.set_value": _set_value,
-    "std.promise.wait_for": _waited,
     **{f"std.this_thread.{name}": _nothing for name in ("sleep_for", "sleep_until", "yield")},
     "std.this_thread.get_id": _waited,
     "std.thread.hardware_concurrency": _waited,

@@ -44,10 +44,25 @@ def _overridden(call: NativeCall) -> Value:
     return TRUE if any(is_own(call.machine, call.args[0], text_of(name)) for name in call.args[1:]) else FALSE
 
 
+def does_something(method: Value) -> bool:
+    """Whether a method of a model has a body: what is written to an `io.StringIO` is read again, what goes to the screen is not."""
+    function = method.function if isinstance(method, BoundMethod) else method
+    return isinstance(function, Function) and not function.code.is_stub
+
+
+def _keeps(machine: Machine, value: Value) -> bool:
+    """Whether a model keeps what is written to an object."""
+    objects = [o for o in options(value) if isinstance(o, Ref) and isinstance(machine.obj(o).cls, Class)]
+    return any(does_something(machine.load_attr(each, _WRITE)) for each in objects)
+
+
+_WRITE: Final = "write"
+
+
 def _ask(call: NativeCall) -> Value:
-    """`ask(object, 'method', …)`: call it where the program overrides it; None where not."""
+    """`ask(object, 'method', …)`: call it where the program overrides it, or where what is written is kept; None where not."""
     machine, name = call.machine, text_of(call.args[1])
-    if not is_own(machine, call.args[0], name):
+    if not is_own(machine, call.args[0], name) and not (name == _WRITE and _keeps(machine, call.args[0])):
         return NONE
     return machine.call(machine.load_attr(call.args[0], name), call.args[2:], call.keywords)
 

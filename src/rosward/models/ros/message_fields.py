@@ -12,6 +12,7 @@ field of an object. A message without a definition has no fields that are known:
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
@@ -25,6 +26,9 @@ from rosward.source.definitions import FLOATS, INTEGERS, TEXTS, Definition, Fiel
 
 if TYPE_CHECKING:
     from rosward.models.native import Machine
+
+Sequence = Callable[["Machine", Ref, str, Field, Unknown], Obj]
+"""Of a message, the name of a field, that field, and what is not known of it."""
 
 _LONGEST: Final = 80
 """Of a field nested deeper than that the reason names the message around it."""
@@ -72,8 +76,13 @@ def has_field(machine: Machine, cls: Value, name: str) -> bool | None:
     return False if definition.closed and not name.startswith("_") else None
 
 
-def load_field(machine: Machine, ref: Ref, name: str, own: Value | None) -> Value | None:
-    """The field of a message, of which some writes are known to be `own`; None where the definition has no such field."""
+def load_field(
+    machine: Machine, ref: Ref, name: str, own: Value | None, unknown_sequence: Sequence | None = None
+) -> Value | None:
+    """The field of a message, of which some writes are known to be `own`; None where the definition has no such field.
+
+    `unknown_sequence`: what a field holds that is one, in a language where that can be said.
+    """
     obj = machine.obj(ref)
     cls = obj.cls
     definition = definition_of(machine, cls)
@@ -82,10 +91,14 @@ def load_field(machine: Machine, ref: Ref, name: str, own: Value | None) -> Valu
     field = definition.fields.get(name)
     if field is None:
         return own if own is not None else constant(machine, cls, name)
-    if (field.is_message and not field.array) or (field.empty and field.type not in _NUMBERS and obj.payload is None):
-        made = _inner(machine, ref, obj, name, field, own)
-        if made is not None:
-            return made
+    if field.array and isinstance(obj.payload, Unknown):
+        fresh = (
+            None if unknown_sequence is None else unknown_sequence(machine, ref, name, field, about(obj.payload, name))
+        )
+    else:
+        fresh = _fresh(machine, obj, name, field)
+    if fresh is not None:
+        return _inner(machine, ref, obj, name, fresh, own)
     value = _unwritten(machine, obj, cls, name, field)
     return value if own is None else join(own, value)
 
@@ -115,17 +128,22 @@ def _unwritten(machine: Machine, obj: Obj, cls: External, name: str, field: Fiel
     return machine.unknown(Cause.MESSAGE, f"{cls.name}.{name}")
 
 
-def _inner(machine: Machine, ref: Ref, obj: Obj, name: str, field: Field, own: Value | None) -> Value | None:
-    """The nested message, or the list, that a field holds until another one is assigned to it."""
+def _fresh(machine: Machine, obj: Obj, name: str, field: Field) -> Obj | None:
+    """The nested message, or the empty sequence, that a field holds until something is assigned to it; None for any other."""
     if field.array:
-        fresh = Obj("list", Native("builtins.list"), many=obj.many)
-    else:
-        inner = External(field.type.replace("/", ".msg."))
-        if definition_of(machine, inner) is None:
-            return None
-        payload = about(obj.payload, name) if isinstance(obj.payload, Unknown) else None
-        fresh = Obj("instance", inner, many=obj.many, payload=payload)
-    several = own is None or obj.many or bool(field.array)
+        return (
+            Obj("list", Native("builtins.list"), many=obj.many) if field.empty and field.type not in _NUMBERS else None
+        )
+    inner = External(field.type.replace("/", ".msg."))
+    if not field.is_message or definition_of(machine, inner) is None:
+        return None
+    payload = about(obj.payload, name) if isinstance(obj.payload, Unknown) else None
+    return Obj("instance", inner, many=obj.many, payload=payload)
+
+
+def _inner(machine: Machine, ref: Ref, obj: Obj, name: str, fresh: Obj, own: Value | None) -> Value:
+    """The object of a field that nobody has written; `fresh` where it was not asked for before."""
+    several = own is None or obj.many or fresh.kind == "list"
     made = machine.place_inner(ref, name, fresh, again=several)
     if (
         own is not None and not several and made in options(own)

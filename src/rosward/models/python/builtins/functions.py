@@ -11,10 +11,11 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, Native, Tuple
+from rosward.domain.compound import Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Const, Function, Ref, Unknown, Value
+from rosward.domain.values import NONE, Class, Const, Ref, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.python.asked import does_something
 from rosward.models.python.builtins.attributes import attribute_names, has_attribute
 from rosward.models.python.builtins.constructors import is_callable
 from rosward.models.python.plain import evaluate, from_python, native, origins, spread, text_of, unknown_from
@@ -84,12 +85,6 @@ def _callable(call: NativeCall) -> Value:
     return spread(one, call.args[0])
 
 
-def _does_something(method: Value) -> bool:
-    """Whether a method of a model has a body: what is written to an `io.StringIO` is read again, what goes to the screen is not."""
-    function = method.function if isinstance(method, BoundMethod) else method
-    return isinstance(function, Function) and not function.code.is_stub
-
-
 _MOST_PRINTED: Final = 50
 
 
@@ -118,7 +113,7 @@ def _print(call: NativeCall) -> Value:
         if not isinstance(cls, Class):
             continue
         write = call.machine.load_attr(option, "write")
-        if not cls.stub or _does_something(write):
+        if not cls.stub or does_something(write):
             for piece in _pieces(call):
                 call.machine.call(write, (piece,))
             if call.keywords.get("flush") is not None:
