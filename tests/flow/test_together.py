@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import pytest
 
-from rosward.flow import shape, walker
+from rosward.engine import watch
+from rosward.flow import shape
 
 from .test_programs import PROGRAMS, _differences, _lacking, _told
 
@@ -16,6 +17,6 @@ from .test_programs import PROGRAMS, _differences, _lacking, _told
 @pytest.mark.parametrize("few", [1, 1_000_000], ids=["objects and calls", "calls"])
 @pytest.mark.parametrize("program", PROGRAMS)
 def test_nothing_is_missing(program: str, few: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(walker, "_LARGE", -1)
+    monkeypatch.setattr(watch, "_LARGE", -1)
     monkeypatch.setattr(shape, "_FEW", ((float("inf"), few),))
     assert _told(_differences(program, _lacking)) == ""

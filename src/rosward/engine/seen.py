@@ -232,7 +232,7 @@ class Seen:
         """These reasons, or origins, are said of its results. Where they are always the same, they are not copied."""
         known = getattr(self, name)
         if not known:
-            setattr(self, name, found)
+            setattr(self, name, found.copy() if isinstance(found, dict) else found)
         elif known.__class__ is dict:
             known.update(dict.fromkeys(found))
         elif known != found:
@@ -246,21 +246,24 @@ class Seen:
 
     def absorb(self, other: Seen) -> None:
         """What was seen of the same operation in another activation counts too."""
-        self.alive = self.alive or other.alive
-        self.several = self.several or other.several
-        self.swallows = self.swallows or other.swallows
-        self.opaque = self.opaque or other.opaque
-        for name in _SETS:
-            self.hold(name, getattr(other, name))
-        for name in _SAID:
-            self._say(name, getattr(other, name))
+        for name, found in vars(other).items():
+            if name in _FLAGS:
+                if found:
+                    setattr(self, name, True)
+            elif name in _SETS:
+                self.hold(name, found)
+            elif name in _SAID:
+                self._say(name, found)
+            elif name in _GATHERED:
+                known = getattr(self, name)
+                if known is _NO_DICT:
+                    setattr(self, name, found.copy())
+                else:
+                    known.update(found)
         for number, refs in other.parts.items():
             self._part(number, refs)
         for register, value in other.keys.items():
             self.note("keys", register, value if self.keys.get(register, value) == value else None)
-        for name in _GATHERED:
-            for key, each in getattr(other, name).items():
-                self.note(name, key, each)
         for native in other.performed.values():
             self.perform(native)
 
@@ -326,11 +329,14 @@ SILENT: Final = frozenset((BoundMethod, Function, Native, Range, Slice))
 """Values of which nothing is noted: they are no object, and hold none as a part."""
 _COMPARED: Final = frozenset((Choice, Tuple))
 """Values that are compared more quickly than looked through."""
-_SETS: Final = ("refs", "cells", "wrote")
-_SAID: Final = ("reasons", "origins")
-_GATHERED: Final = (
-    *("effects", "externals", "scheduled", "functions", "calls", "callees", "summaries"),
-    *("bound", "made", "natives", "strange"),
+_FLAGS: Final = frozenset(("alive", "several", "swallows", "opaque"))
+_SETS: Final = frozenset(("refs", "cells", "wrote"))
+_SAID: Final = frozenset(("reasons", "origins"))
+_GATHERED: Final = frozenset(
+    (
+        *("effects", "externals", "scheduled", "functions", "calls", "callees", "summaries"),
+        *("bound", "made", "natives", "strange"),
+    )
 )
 
 

@@ -11,20 +11,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from operator import is_
-from types import FunctionType
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
-from rosward.engine.noted import CELLED, finding
+from rosward.engine.noted import CELLED, noting
 from rosward.engine.performed import handed, is_as_written, performed, standing
 from rosward.engine.registered import Registered, period_of
 from rosward.engine.seen import (
-    ALIVE,
-    REACHED,
-    SILENT,
     Activation,
     Bound,
     Called,
@@ -46,7 +42,7 @@ if TYPE_CHECKING:
     from rosward.ir.program import Code
     from rosward.ir.symbols import Signature
 
-__all__ = ["Watch"]
+__all__ = ["Watch", "is_of_program"]
 
 
 def _receivers(machine: Engine) -> Iterator[int]:
@@ -68,6 +64,10 @@ class Watch:
     def __init__(self) -> None:
         self.activations: dict[tuple[str, int], list[Activation]] = {}
         self.bodies: dict[str, list[Activation]] = {}  # by the key of the body
+        # So much was seen that contexts of one body of the program are not told apart from then on.
+        self.is_large = False
+        self._shared: dict[str, Activation] = {}  # what stands for those of many contexts
+        self._count_down = 1  # so many activations later it is looked again whether it is large
         self.begun: dict[Activation, None] = {}  # those that nothing called: the main body
         self.entries: dict[Scheduled, Registered] = {}
         self._remembered: dict[object, tuple[str, int]] = {}
@@ -78,16 +78,13 @@ class Watch:
         """Forget everything: what refers to itself would stay, as nobody collects it while an analysis runs."""
         for several in self.activations.values():
             for activation in several:
-                for seen in activation.seen.values():
-                    if seen.callees:
-                        seen.callees.clear()
                 activation.seen.clear()
         self.__dict__.clear()
 
     def watching(self, language: Language) -> Language:
         """The language, noting what its operations do."""
         table: dict[type[ops.Op], Handler] = {
-            cls: self._noting(cls, handler) for cls, handler in language.table.items()
+            cls: noting(cls, handler, self._activation) for cls, handler in language.table.items()
         }
         if language.name == CPP:
             return replace(
@@ -95,7 +92,7 @@ class Watch:
             )
         call_function, call = language.call_function, language.call
 
-        def noting(machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+        def calling(machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
             self._call(machine, function, args, keywords)
             return call_function(machine, function, args, keywords)
 
@@ -106,7 +103,7 @@ class Watch:
                     self.at(machine).perform(native)
             return call(machine, function, args, keywords)
 
-        return replace(language, table=table, call_function=noting, call=performing)
+        return replace(language, table=table, call_function=calling, call=performing)
 
     def at(self, machine: Engine) -> Seen:
         """That of the operation that is running; what runs under no frame is of no activation."""
@@ -162,14 +159,32 @@ class Watch:
             seen.note("summaries", (code.key, context))
 
     def of(self, code: Code, context: int, cells: tuple[int, ...], module: int) -> Activation:
-        """The activation of a body in a context, with these variables."""
+        """The activation of a body in a context, with these variables. Once very much was seen, one stands for those of many contexts."""
         known = self.activations.setdefault((code.key, context), [])
         for each in known:
             if each.cells == cells:
                 return each
+        if self.is_large and is_of_program(code) and not code.key.endswith(_FILE):
+            found = self._shared.get(code.key)
+            if found is None:
+                found = self._shared[code.key] = Activation(code, context, cells, module)
+                self.bodies.setdefault(code.key, []).append(found)
+            if found not in known:
+                known.append(found)
+            return found
         known.append(Activation(code, context, cells, module))
         self.bodies.setdefault(code.key, []).append(known[-1])
+        self._count_down -= 1
+        if not self._count_down and not self.is_large:
+            self.measure()
         return known[-1]
+
+    def measure(self) -> bool:
+        """Whether very many operations were seen, each as often as it was told apart."""
+        activations = [a for several in self.bodies.values() for a in several]
+        self.is_large = sum(len(a.seen) for a in activations) > _LARGE
+        self._count_down = (len(activations) >> 3) + 1
+        return self.is_large
 
     def _activation(self, machine: Engine, frame: Frame, depth: int) -> Activation:
         """That of a frame; noted with who called it where it is new."""
@@ -198,7 +213,8 @@ class Watch:
     def _call(self, machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> None:
         if not machine.frames:
             return
-        frame, seen = machine.frames[-1], self.at(machine)
+        frame = machine.frames[-1]
+        seen = self.at(machine) if self._running or frame.seen is None else frame.seen.of(frame.op.number)
         written = None  # with what, where the operation alone says where that stands
         if not keywords and frame.op.__class__ is ops.Call and frame.op.simple is not None:
             written = (function.code, function.cells, *args)
@@ -311,54 +327,7 @@ class Watch:
 
         return noting
 
-    def _noting(self, cls: type[ops.Op], handler: Handler) -> Handler:
-        """The handler of a kind of operation, noting what it finds and what it gives. Of most there is nothing but the way of control."""
-        before = finding(cls)
-        several = cls is ops.Unpack
-        single = hasattr(cls, "dst") and cls not in _UNSEEN
 
-        def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
-            activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
-            known, number = activation.seen, op.number
-            if before is not None:
-                before(activation.of(number), op, frame)
-            elif number not in known:
-                known[number] = REACHED
-            result = handler(machine, op, frame)
-            if result is False:
-                return False
-            seen = known[number]
-            if single:
-                value = frame.registers[op.dst]
-                if value.__class__ not in SILENT and (
-                    value.__class__ is not Const or value.origins
-                ):  # most say nothing
-                    if seen is REACHED or seen is ALIVE:
-                        seen = activation.of(number)
-                    seen.give(value)
-            elif several:
-                seen = activation.of(number)
-                seen.give_several([frame.registers[r] for r in op.dsts])
-            if seen is REACHED:
-                known[number] = ALIVE
-            else:
-                seen.alive = True
-            return result
-
-        return _apart(noting)
-
-
-def _apart(handler: Handler) -> Handler:
-    """The same, with code of its own: CPython makes code quick for the types that it meets, which are others for each kind of operation."""
-    assert isinstance(handler, FunctionType)
-    made: Handler = FunctionType(
-        handler.__code__.replace(), handler.__globals__, handler.__name__, None, handler.__closure__
-    )
-    return made
-
-
-_UNSEEN: Final = frozenset({ops.Const, ops.Move, ops.Assume})
-"""Operations of which nobody asks what they gave."""
 _STRUCTURED: Final = frozenset(
     {ops.If, ops.While, ops.ForEach, ops.Try, ops.With, ops.Return, ops.Break, ops.Continue, ops.Raise}
 )
@@ -372,6 +341,17 @@ def _standing(machine: Engine, value: Value) -> Value:
         return value
     cell = machine.state.heap.get(value.base.address)
     return value if cell is None else cell.attrs.get("value", value)
+
+
+def is_of_program(code: Code) -> bool:
+    """Whether it is code of the program in Python; what a library does with a name depends on which one that is."""
+    return code.language != CPP and not code.file.startswith("models:")
+
+
+_FILE: Final = "#0"
+"""The end of the keys of what stands in no function, from where callbacks begin in contexts of their own."""
+_LARGE: Final = 12_000
+"""In a process of which more operations are seen, what is seen of one body in several contexts is taken together."""
 
 
 def _width(signature: Signature) -> int:

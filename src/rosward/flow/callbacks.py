@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from rosward.engine.arguments import MAYBE
 from rosward.flow import library, natives
 from rosward.flow.body import Body
-from rosward.flow.calls import by_code, in_parameters, keep_arguments, resume
+from rosward.flow.calls import in_parameters, keep_arguments, resume
 from rosward.flow.marks import NOTHING, Mark
 from rosward.flow.partials import Given, bound_in
 from rosward.flow.ways import Way, each_way, joined_marks
@@ -44,7 +44,7 @@ def begin(
         waiting = walker.bodies_of(seen)
         ways: list[Way] = []
         called_here: set[str] = set()
-        for key, several in by_code(seen).items():
+        for key, several in walker.sites.by_code(seen).items():
             function = several[0].function
             code = function.code
             marks = joined_marks(

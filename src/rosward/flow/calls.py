@@ -7,13 +7,13 @@ lib.blur(image)      may hold all that the image does, may be a view of it, and 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import partial
+from itertools import chain
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
-from rosward.domain.values import Class, Const, Function, Value
+from rosward.domain.values import Class, Function, Value
 from rosward.effects.flows import Sink
 from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
@@ -24,10 +24,11 @@ from rosward.flow.body import Body
 from rosward.flow.constructed import construct
 from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of, of_library
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of
 from rosward.flow.partials import bound_in
 from rosward.flow.reading import arising, leads
-from rosward.flow.released import callees, released
+from rosward.flow.released import released
+from rosward.flow.site import callees, is_native
 from rosward.flow.ways import Way, each_way, either, joined_marks
 from rosward.ir import ops
 from rosward.ir.registers import reads
@@ -53,11 +54,15 @@ def run_callees(
     inside = body.pc | pc
     ways: list[Way] = []
     called_here: set[str] = set()
-    for key, several in by_code(seen).items():
+    for key, apart in walker.sites.by_code(seen).items():
+        several = apart
         function = several[0].function
         code = function.code
         if names and code.name not in names:
             continue
+        mine = waiting.get(key, ())
+        if len(several) > 1 and len(several) != len(mine):  # nobody tells them apart
+            several = walker.sites.together(seen, key)
         marks = _all_bound(walker, op, body, several)
         if told != NOTHING:
             marks = [[*m[:1], *(each.joined(told) for each in m[1:])] for m in marks]
@@ -70,7 +75,6 @@ def run_callees(
         name = f"{function.module.name}.{code.qualname}"
         if code.file.startswith("models:") and not code.is_stub:
             result = _perform(walker, body, name, marks[0], result)
-        mine = waiting.get(key, ())
         if walker.hurries and code.file.startswith("models:") and walker.shape.said(name).pure:
             computed = library.computed(walker, body, name, marks[0])
             result = computed if result is None else result.joined(computed)
@@ -102,14 +106,6 @@ def _performed(walker: Walker, op: ops.Op, body: Body, seen: Seen) -> Mark:
     if walker.attempts and may_fail(op, seen):
         walker.attempts[-1].mask |= result.mask
     return result
-
-
-def by_code(seen: Seen) -> dict[str, list[Called]]:
-    """The functions that an operation calls, those of one code together."""
-    found: dict[str, list[Called]] = {}
-    for called in seen.calls.values():
-        found.setdefault(called.function.code.key, []).append(called)
-    return found
 
 
 def _all_bound(walker: Walker, op: ops.Op, body: Body, several: list[Called]) -> list[list[Mark]]:
@@ -153,7 +149,9 @@ def resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: i
 def _bound(walker: Walker, op: ops.Op, body: Body, called: Called) -> list[Mark]:
     """The marks of the parameters, in the order of their registers."""
     spread = _spread_size(walker, op, body)
-    given = [_handed(walker, op, body, h).under(spread) for h in called.args]
+    given = [_handed(walker, op, body, h) for h in called.args]
+    if spread:
+        given = [mark.under(spread) for mark in given]
     named: dict[str, Mark] = {}
     for name, handed in called.keywords:
         unknown = name in (LOOSE, ORDER, ANY)
@@ -181,15 +179,14 @@ def in_parameters(
         if name in (LOOSE, ORDER, ANY):
             unnamed = unnamed.joined(mark)
     marks = list(given[:count])
-    defaults = _defaults(function, made)
     for name in parameters.positional[len(marks) :]:
-        marks.append(named.get(name, defaults[name]).joined(unnamed))
+        marks.append((named.get(name) or _default(function, made, name)).joined(unnamed))
     if parameters.vararg is not None:
         root: Root = walker.shape.made(body.activation, site, "*", "tuple")
         slots: dict[object, Mark] = dict(enumerate(given[count:]))
         walker.memory.place(root, Content(0, unnamed, body.pc | spread, slots))
         marks.append(Mark(body.pc, frozenset((root,))))
-    marks += [named.get(name, defaults[name]).joined(unnamed) for name in parameters.kwonly]
+    marks += [(named.get(n) or _default(function, made, n)).joined(unnamed) for n in parameters.kwonly]
     if parameters.kwarg is not None:
         root = walker.shape.made(body.activation, site, "**", "tuple")
         further: dict[object, Mark] = {n: m for n, m in named.items() if n not in parameters.names}
@@ -198,19 +195,21 @@ def in_parameters(
     return marks
 
 
-def _defaults(function: Function, made: Mark) -> dict[str, Mark]:
-    """The marks of the parameters that are not given: what the function was made with."""
-    parameters = function.code.parameters
-    known = dict(function.kwdefaults)
-    known.update(zip(reversed(parameters.positional), reversed(function.defaults), strict=False))
-    names = (*parameters.positional, *parameters.kwonly)
-    return {n: Mark(made.mask, frozenset(refs_of(known[n])) if n in known else frozenset()) for n in names}
+def _default(function: Function, made: Mark, name: str) -> Mark:
+    """The mark of a parameter that is not given: what the function was made with."""
+    positional, defaults = function.code.parameters.positional, function.defaults
+    for named, default in chain(zip(reversed(positional), reversed(defaults), strict=False), function.kwdefaults):
+        if named == name:
+            return Mark(made.mask, frozenset(refs_of(default)))
+    return Mark(made.mask)
 
 
 def _spread_size(walker: Walker, op: ops.Op, body: Body) -> int:
     """How many arguments `*` and `**` give, and so which of them is which."""
     size = 0
-    for argument in op.arguments if isinstance(op, ops.Call) and op.spreads else ():
+    if not isinstance(op, ops.Call) or not op.spreads:
+        return size
+    for argument in op.arguments:
         if argument.is_spread:
             mark = body.registers[argument.register]
             size |= mark.mask | walker.memory.size(mark.roots)
@@ -252,15 +251,15 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     marks = [body.registers[r] for r in registers]
     pc = demoted(function.mask) if seen.several else 0
     _send(walker, op, body, seen, marks, body.pc | pc)
-    if len(seen.refs) == 1 and all(isinstance(f, Class) for f in seen.functions):
+    site = walker.sites.of(op, seen)
+    if site.creates:
         for root in seen.refs:
             memory.place(root, Content())
     construct(walker, op, body, seen, marks)
     given = run_callees(walker, op, body, seen, pc=pc)
     result = NOTHING if given is None else given
-    unknown = False
-    for callee in _apart(_as_written(op, seen.functions)):
-        if _is_native(callee):
+    for callee in site.callees:
+        if is_native(callee):
             handed = implicit.with_elements(seen, marks, given)
             computed = natives.apply(walker, op, body, seen, callee, handed)
             result = result.joined(computed)
@@ -268,49 +267,19 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
                 walker.attempts[-1].mask |= computed.mask
         elif isinstance(callee, Class):
             result = result.joined(Mark(body.pc, frozenset(seen.refs)))
-        elif not isinstance(callee, Function):
-            unknown = True
-    if unknown or not seen.functions:
+    if site.unknown:
         computed = library.unknown(walker, op, body, function, marks, op.arguments)
         result = result.joined(computed)
         if walker.attempts:
             walker.attempts[-1].mask |= computed.mask
-    roots = frozenset(map(walker.shape.owner, leads(seen, result))) | frozenset(map(of_library, seen.externals))
-    opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
-    mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen)) | implicit.given_by(walker, marks)
+    roots = frozenset(map(walker.shape.owner, leads(seen, result))) | site.externals
+    mask = result.mask | body.pc | pc | (0 if site.opens else arising(walker, seen)) | implicit.given_by(walker, marks)
     for _, entry in seen.scheduled:
         mask |= walker.returned.get(entry, 0)
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))
     _register(walker, op, body, seen, marks, pc)
-    if any(_spins(f) for f in callees(seen.functions)):
+    if site.spins:
         walker.join_beside()
-
-
-def _is_native(callee: Value) -> bool:
-    return isinstance(callee, (Native, External)) or (
-        isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
-    )
-
-
-def _as_written(op: ops.Call, functions: Iterable[Value]) -> Iterator[Value]:
-    """What is called; not the natives of which the operation does not say what they are given (`_performed`)."""
-    for option in (o for f in functions for o in options(f)):
-        for callee in callees((option,)):
-            if not (op.spreads or isinstance(option, Partial)) or not _is_native(callee):
-                yield callee
-
-
-def _apart(several: Iterable[Value]) -> Iterable[Value]:
-    """Of the methods of natives, one for each function: what all of them are bound to is known."""
-    return {(BoundMethod, c.function) if isinstance(c, BoundMethod) else c: c for c in several}.values()
-
-
-def _spins(function: Value) -> bool:
-    if isinstance(function, Native):
-        return function.name == "_rosward.spin"
-    return isinstance(function, Function) and any(
-        isinstance(e, Tuple) and e.items[0] == Const("spins") for e in function.effects
-    )
 
 
 def _send(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark], pc: int) -> None:

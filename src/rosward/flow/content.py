@@ -64,7 +64,10 @@ class Content:
             for mark in self.slots.values():
                 mask |= mark.mask
             if several:
+                largest = max(roots, *several.values(), key=len)
                 roots = roots.union(*several.values())
+                if len(roots) == len(largest):  # many have it then
+                    roots = largest
             found = self._whole = Mark(mask, roots)
         return found
 

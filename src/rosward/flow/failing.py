@@ -20,7 +20,10 @@ def may_fail(op: ops.Op, seen: Seen) -> bool:
         return bool(seen.strange) or not all(map(is_safe, seen.natives))
     if isinstance(op, ops.Call):
         return any(not isinstance(f, (Function, Class)) and not _is_safe(f) for f in seen.functions)
-    return isinstance(op, (ops.LoadItem, ops.Binary, ops.Unpack, ops.StoreItem, ops.ForEach, ops.Format))
+    return op.__class__ in _FAILING
+
+
+_FAILING: Final = frozenset((ops.LoadItem, ops.Binary, ops.Unpack, ops.StoreItem, ops.ForEach, ops.Format))
 
 
 def _is_safe(function: Value) -> bool:

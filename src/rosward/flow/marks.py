@@ -79,9 +79,12 @@ class Mark(NamedTuple):
 
     def joined(self, other: Mark) -> Mark:
         """What covers both."""
-        if self is other or (other.mask | self.mask == self.mask and other.roots <= self.roots):
+        if self is other:
             return self
-        return Mark(self.mask | other.mask, self.roots | other.roots)
+        mask, roots, others = self.mask | other.mask, self.roots, other.roots
+        if others is not roots and not others <= roots:
+            return Mark(mask, others if roots <= others else roots | others)
+        return self if mask == self.mask else Mark(mask, roots)
 
     def under(self, mask: int) -> Mark:
         """The same, depending on more."""

@@ -17,8 +17,8 @@ from rosward.flow.marks import FUNCTIONS, Mark, Root, is_slot, part_of, slot_of
 from rosward.flow.remembered import Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
-from rosward.flow.store import Covered
-from rosward.flow.tracker import Tracker, differing
+from rosward.flow.store import MASK, SHIFT, Covered
+from rosward.flow.tracker import KeySets, Tracker, differing
 
 
 @final
@@ -91,14 +91,22 @@ class Memory(Standing):
 
     def _cover(self, other: Memory, numbers: Iterable[int]) -> bool:
         changed = False
+        roots, covered, tracker, others = self.numbers.roots, self.numbers.covered, self.shape.tracker, other._pages
         for number in numbers:
-            mine, their = self.numbered(number), other.numbered(number)
+            key, offset = number >> SHIFT, number & MASK
+            page, their_page = self._pages.get(key), others.get(key)  # `numbered`, without the calls
+            mine = None if page is None else page[offset]
+            their = None if their_page is None else their_page[offset]
             if mine is their:
                 continue
-            root = self.numbers.roots[number]
+            root = roots[number]
             ours = self.now(root) if mine is None else mine
             theirs = other.now(root) if their is None else their
-            changed |= self._takes_in(root, ours, theirs)
+            known = covered.get((id(ours), id(theirs)))
+            if known is None:
+                changed |= self._takes_in(root, ours, theirs)
+            elif tracker is not None:
+                tracker.meets(root, ours, theirs, known.keys)
         return changed
 
     def _takes_in(self, root: Root, ours: Content, theirs: Content) -> bool:
@@ -121,8 +129,8 @@ class Memory(Standing):
 
     def finds(self, tracker: Tracker) -> bool:
         """Whether what a walk read stands here as it did."""
-        for root, keys in tracker.reads.items():
-            here, then = self.now(root), tracker.was_read(root)
+        for root, keys, then in tracker.was_read():
+            here = self.now(root)
             if here is then:
                 continue
             if keys is None:
@@ -134,10 +142,10 @@ class Memory(Standing):
                         return False
         return True
 
-    def left(self, tracker: Tracker) -> tuple[Written, ...]:
-        """What a walk has written, as it stands here."""
+    def left(self, tracker: Tracker, known: KeySets) -> tuple[Written, ...]:
+        """What a walk has written, as it stands here. Its keys are among the known ones from then on."""
         return tuple(
-            Written(root, keys, content)
+            Written(root, None if keys is None else known.setdefault(f := frozenset(keys), f), content)
             for root, keys in tracker.wrote.items()
             if (content := self.known(root)) is not None
         )

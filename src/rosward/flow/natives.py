@@ -23,7 +23,7 @@ from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, Root, decided,
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, owners_of
-from rosward.flow.released import callees
+from rosward.flow.site import callees
 from rosward.ir import ops
 from rosward.ir.ops import Call
 from rosward.models.ros.interfaces import message_name

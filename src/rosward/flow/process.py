@@ -42,8 +42,12 @@ if TYPE_CHECKING:
     from rosward.engine.watch import Watch
 
 _ROUNDS: Final = 40
-_LEAST: Final = 150_000
-"""The walk may take as many steps as the interpretation, but these at least, and no more than twice as many."""
+_LEAST: Final = 105_000
+_MOST: Final = 300_000
+"""The walk may take as many steps as the interpretation, or a quarter as many and the least; but no more than the most.
+
+Walks that come to their end take 5 times as many steps in small processes, and fewer in large ones; others would go on in vain.
+"""
 _EVENTS: Final = {
     "message": ("topic", "subscription"),
     "service": ("service", "service_server"),
@@ -70,7 +74,8 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     """Walk through a process that was interpreted while somebody watched."""
     both = {**straight.TABLE, **blocks.TABLE}
     tables = {PYTHON: Table(both), CPP: Table({**both, **cpp.TABLE})}
-    most = min(max(_LEAST, machine.precision.steps), 2 * _LEAST)
+    steps = machine.precision.steps
+    most = min(max(_LEAST + (steps >> 2), steps), _MOST)
     walker = Walker(watch, Shape(machine), tables, most, machine.budget.watched)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
     try:

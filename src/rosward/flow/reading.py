@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
 from rosward.effects.flows import Source
@@ -15,14 +15,22 @@ if TYPE_CHECKING:
     from rosward.flow.walker import Walker
 
 
+_NO_ROOTS: Final = frozenset[Any]()
+
+
 def opaque(mark: Mark) -> frozenset[tuple[object, ...]]:
     """The objects of a mark that have no address."""
-    return frozenset(r for r in mark.roots if not isinstance(r, int))
+    roots = mark.roots
+    return frozenset([r for r in roots if r.__class__ is not int]) if roots else _NO_ROOTS  # type: ignore[misc]
 
 
 def leads(seen: Seen, mark: Mark) -> frozenset[Root]:
     """Where a result leads: to the objects that it was seen to be; where nobody knows what it is, to any that flows there."""
-    return frozenset(seen.refs) | (mark.roots if seen.opaque else opaque(mark))
+    refs: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
+    if not mark.roots:
+        return refs
+    further = mark.roots if seen.opaque else opaque(mark)
+    return refs | further if refs else further
 
 
 def owners_of(mark: Mark) -> frozenset[Root]:
@@ -111,6 +119,8 @@ _PARAMETER: Final = "parameter"
 def arising(walker: Walker, seen: Seen, *, read: bool = False) -> int:
     """The sources outside of the program that the interpretation says a value comes from; `read`: it is read from something else."""
     mask = 0
+    if not seen.reasons and not seen.origins:  # of most
+        return mask
     for origin in seen.origins:
         kind = _OF_ORIGINS.get(origin.kind)
         if kind is not None:

@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which functions are behind a call, and what comes of one that releases what it gives?"""
+"""What comes of a function that releases what it gives?"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial
-from rosward.domain.values import Const, Function, Value
+from rosward.domain.values import Const, Function
 from rosward.effects.flows import RELEASED, Sink, Source
 from rosward.flow.body import Body
 from rosward.flow.marks import Mark, name_of
+from rosward.flow.site import callees
 
 if TYPE_CHECKING:
     from rosward.engine.seen import Seen
@@ -38,17 +36,3 @@ def released(walker: Walker, op: ops.Call, body: Body, function: Mark, seen: See
     root = walker.shape.made(body.activation, op.number, found[0])
     walker.memory.renew(root)
     return Mark(mask, frozenset((root,)))
-
-
-def callees(functions: Iterable[Value]) -> Iterable[Value]:
-    """What is behind methods and partials."""
-    for value in functions:
-        for option in options(value):
-            while isinstance(option, Partial):
-                option = option.function  # noqa: PLW2901 - what it stands for
-            if isinstance(option, BoundMethod) and not isinstance(option.function, Native):
-                yield option.function
-            elif isinstance(option, Descriptor):
-                yield option.getter
-            else:
-                yield option

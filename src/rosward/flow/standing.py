@@ -261,8 +261,10 @@ class Standing(Store):
         canonical, of, merged, nodes = numbers.canonical, self._of, numbers.merged, self.shape.nodes
         known: set[int] = set()
         found: Layer = {}
-        earlier = [roots for roots, each in self._looked.items() if len(each.objects) >= _WORTH]
+        earlier: list[frozenset[Root]] | None = None  # what others have found that is of use here
         while work:
+            if earlier is None and len(work) >= _SHORT:
+                earlier = [roots for roots, each in self._looked.items() if len(each.objects) >= _WORTH]
             if earlier and len(work) >= _SHORT:
                 reach = work | seen.keys()
                 for roots in earlier:

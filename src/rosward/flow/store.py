@@ -11,7 +11,7 @@ have one number, and one content.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Set
 from itertools import compress
 from operator import is_not
 from typing import Final, final
@@ -39,7 +39,7 @@ class Covered(NamedTuple):
 
     ours: Content
     theirs: Content
-    keys: set[object] | None
+    keys: Set[object] | None
 
 
 @final
@@ -54,6 +54,7 @@ class Numbers:
         "_ranks",
         "_tells",
         "based",
+        "from_outside",
         "held",
         "led",
         "merged",
@@ -71,6 +72,7 @@ class Numbers:
         self.merges: list[tuple[int, tuple[int, ...]]] = []  # each with the numbers that it took the place of
         self.held: set[Root] = set()  # what was ever written into an object
         self.based: set[Root] = set()  # what ever came from outside
+        self.from_outside: set[int] = set()  # the numbers of which that is said
         self._covered: dict[tuple[int, int], Covered] = {}
         self._apart: dict[frozenset[Root], frozenset[Root]] = {}
         self._named: dict[tuple[int, str], Root] = {}  # the one that stands for others of the same name
@@ -118,6 +120,11 @@ class Numbers:
         """What stands for an object: itself, unless it is merged."""
         number = self.of.get(root)
         return root if number is None or number not in self.merged else self.roots[number]
+
+    def comes_in(self, number: int) -> None:
+        """What stands in an object came from outside; where it stands for several, in each of them."""
+        self.from_outside.add(number)
+        self.based.update(self.merged.get(number) or (self.roots[number],))
 
     def canonical(self, roots: frozenset[Root]) -> frozenset[Root]:
         """The same objects, with one for all that are merged; of things of libraries, one for each name that tells something."""
@@ -216,9 +223,8 @@ class Store:
             self._own.add(key)
         assert page is not None
         page[number & MASK] = content
-        if content is not None and content.base:
-            numbers = self.numbers
-            numbers.based.update(numbers.merged.get(number) or (numbers.roots[number],))
+        if content is not None and content.base and number not in self.numbers.from_outside:
+            self.numbers.comes_in(number)
 
     def items(self) -> Iterator[tuple[Root, Content]]:
         """All objects of which something was written."""

@@ -10,7 +10,7 @@ What it reads is noted as it stood at the beginning: contents that the walk itse
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Set
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.flow.marks import is_slot
@@ -26,8 +26,10 @@ if TYPE_CHECKING:
 _MOST_SENT: Final = 256
 """So many sinks and ways to them are told apart in a body."""
 
-Keys = set[object] | None
+Keys = Set[object] | None
 """Slots of an object; None where it is all of it."""
+KeySets = dict[frozenset[object], frozenset[object]]
+"""Slots of objects, each set of them once."""
 _NO_KEYS: Final[frozenset[object]] = frozenset()
 
 
@@ -35,7 +37,7 @@ _NO_KEYS: Final[frozenset[object]] = frozenset()
 class Tracker:
     """Of one walk. `open`: it depends on more than that, so that it can't be remembered; `beside`: on what callbacks write."""
 
-    __slots__ = ("_first", "_own", "beside", "open", "placed", "reads", "sent", "wrote")
+    __slots__ = ("_first", "_own", "_read", "beside", "open", "placed", "reads", "sent", "wrote")
 
     def __init__(self) -> None:
         self.reads: dict[Root, Keys] = {}
@@ -45,6 +47,7 @@ class Tracker:
         self.open = False
         self.beside = False
         self._first: dict[Root, Content] = {}  # what is read, as it stood when the walk began
+        self._read: tuple[tuple[Root, ...], tuple[Keys, ...], tuple[Content, ...]] = (), (), ()  # once it has ended
         self._own: dict[int, Content] = {}  # by id(): what the walk has put together itself
 
     def read(self, root: Root, content: Content) -> None:
@@ -106,7 +109,7 @@ class Tracker:
 
     def absorb(self, inner: Tracker, at: Chain, store: Store) -> None:
         """A body inside was walked through, which is called here; `store` is what stands behind it."""
-        self._reads_as(inner, inner._first.__getitem__)
+        self._reads_as(inner.reads.items(), inner._first.__getitem__)
         for root, keys in inner.wrote.items():
             _add(self.wrote, root, keys)
             content = store.known(root)
@@ -116,26 +119,44 @@ class Tracker:
 
     def repeat(self, inner: Tracker, at: Chain, standing: Callable[[Root], Content]) -> None:
         """A body inside need not be walked through once more: it reads what is standing here, and what it writes is written elsewhere."""
-        self._reads_as(inner, standing)
+        roots, several, _ = inner._read
+        self._reads_as(zip(roots, several, strict=True), standing)
         self._has_sent(inner, at)
 
-    def ended(self) -> None:
-        """The walk has come to its end: what it has put together itself is of no interest any more."""
-        self._own = {}
+    def ended(self, known: KeySets | None = None) -> None:
+        """The walk has come to its end: what it has read, and sent, is kept, where it takes little space; `known` are the keys of others."""
+        sets = {} if known is None else known
+        keys = [None if k is None else sets.setdefault(f := frozenset(k), f) for k in self.reads.values()]
+        self._read = tuple(self.reads), tuple(keys), tuple(map(self._first.__getitem__, self.reads))
+        self.reads, self.wrote = {}, {}
+        self._first, self._own = {}, {}
 
-    def was_read(self, root: Root) -> Content:
-        """What stood there when the walk began, of something that it reads."""
-        return self._first[root]
+    def was_read(self) -> Iterator[tuple[Root, Keys, Content]]:
+        """What a walk that has come to its end has read: of which object, under which keys, and what stood there when it began."""
+        return zip(*self._read, strict=True)
 
-    def _reads_as(self, inner: Tracker, standing: Callable[[Root], Content]) -> None:
+    def _reads_as(self, read: Iterable[tuple[Root, Keys]], standing: Callable[[Root], Content]) -> None:
         """What a body inside reads is read here, as it stands."""
-        for root, keys in inner.reads.items():
-            content = standing(root)
+        reads, first = self.reads, self._first
+        for root, keys in read:
+            known = reads.get(root, _NO_KEYS)
+            if known is None:
+                continue
             if keys is None:
-                self.read(root, content)
+                self.read(root, standing(root))
+                continue
+            new = keys - known if known else keys
+            if not new:
+                continue
+            content = standing(root)
+            if id(content) not in self._own:
+                first.setdefault(root, content)
             else:
-                for key in keys:
-                    self.read_slot(root, key, content)
+                wrote = self.wrote.get(root, _NO_KEYS)
+                if root not in first or wrote is None:
+                    continue
+                new = new - wrote
+            _add(reads, root, new)
 
     def _has_sent(self, inner: Tracker, at: Chain) -> None:
         self.placed |= inner.placed

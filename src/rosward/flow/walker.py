@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
 from rosward.engine.seen import Activation, Seen
+from rosward.engine.watch import is_of_program
 from rosward.flow.body import Attempt, Body, Point, here
 from rosward.flow.content import TooLongError
 from rosward.flow.failing import may_fail
@@ -19,7 +20,8 @@ from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered
 from rosward.flow.sinks import DEEP, Chain, Sinks
-from rosward.flow.tracker import Tracker
+from rosward.flow.site import Sites, merged
+from rosward.flow.tracker import KeySets, Tracker
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.program import CPP
@@ -89,9 +91,11 @@ class Walker:
         self.lost = False  # code may run that nobody can name
         self.threaded = False  # whether something runs beside this
         self.narrowed: list[str] = []  # the names of parameters that the branches around are about
+        self.sites = Sites()
         self._most = most
-        self.together = _size(watch) > _LARGE  # calls of one body are not told apart by what was seen in each
+        self.together = watch.measure()  # calls of one body are not told apart by what was seen in each
         self._beside = 0  # how often `beside` became more
+        self._key_sets: KeySets = {}
         self._remembered: dict[Activation, list[Remembered]] = {}
         self._bodies: dict[Seen, dict[str, list[Activation]]] = {}
         self._wholes: dict[str, Activation] = {}
@@ -158,10 +162,10 @@ class Walker:
             for activation in dict.fromkeys((*seen.callees, *further)):
                 found.setdefault(activation.code.key, []).append(activation)
             for key, several in found.items():
-                if self.together and _is_of_program(several[0]):
+                if self.together and is_of_program(several[0].code):
                     found[key] = [self._whole(key, several[0])]
                 elif len(several) > _FEW:
-                    found[key] = [_merged(several)]
+                    found[key] = [merged(several)]
             self._bodies[seen] = found
         return found
 
@@ -313,9 +317,10 @@ class Walker:
         if self.attempts:
             self.attempts[-1].mask |= before
         if not tracker.open:
-            tracker.ended()
+            left = self.memory.left(tracker, self._key_sets)
+            tracker.ended(self._key_sets)
             del earlier[MOST[activation.code.language] - 1 :]
-            earlier.insert(0, Remembered(given, tracker, self.memory.left(tracker), result, raising, beside))
+            earlier.insert(0, Remembered(given, tracker, left, result, raising, beside))
         return result
 
     def _walk(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
@@ -363,37 +368,14 @@ class Walker:
         """All that was seen of a body. Of a generator, another part of it runs each time it goes on."""
         found = self._wholes.get(key)
         if found is None:
-            found = self._wholes[key] = _merged(self.watch.bodies.get(key, [activation]))
+            found = self._wholes[key] = merged(self.watch.bodies.get(key, [activation]))
         return found
-
-
-def _merged(several: list[Activation]) -> Activation:
-    """All that was seen of one body."""
-    first = several[0]
-    found = Activation(first.code, -1, first.cells, first.module)
-    for each in several:
-        found.names |= each.names
-        for number, seen in each.seen.items():
-            found.of(number).absorb(seen)
-    return found
-
-
-def _is_of_program(activation: Activation) -> bool:
-    """Whether it is code of the program in Python; what a library does with a name depends on which one that is."""
-    return activation.code.language != CPP and not activation.code.file.startswith("models:")
-
-
-def _size(watch: Watch) -> int:
-    """So many operations were seen, each as often as it was told apart."""
-    return sum(len(a.seen) for several in watch.activations.values() for a in several)
 
 
 _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))
 """What may be the first to meet a source."""
 _CALM: Final = 50_000
 """After so much, functions of libraries that only compute are taken as a whole."""
-_LARGE: Final = 12_000
-"""In a process with more operations, calls of one body in several contexts are walked through as one."""
 _FEW: Final = 8
 """So many activations of a body are walked through one by one for one operation."""
 _DEEP: Final = 40

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the interpretation says of an operation that calls, put together once: it is the same whenever the walk comes there.
+
+self.pub.publish(text)      the functions of the program, those of one code together; the natives; whether anybody else is called
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Final, final
+
+from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
+from rosward.domain.values import Class, Const, Function, Value
+from rosward.engine.seen import ALIVE, REACHED, Activation, Called, Handed, Seen
+from rosward.flow.marks import Root, of_library
+from rosward.ir import ops
+
+
+@final
+class Site:
+    """Of one operation in one activation.
+
+    `callees`: what is called as it is written; `unknown`: somebody may be called of whom nothing is known. `creates`: it only makes an object
+    of a class. `opens`: what it gives is open, and nothing of it is read yet. `spins`: callbacks run meanwhile.
+    """
+
+    __slots__ = ("callees", "creates", "externals", "opens", "spins", "unknown")
+
+    def __init__(self, op: ops.Call, seen: Seen) -> None:
+        functions = seen.functions
+        self.callees = tuple(c for c in _apart(_as_written(op, functions)) if not isinstance(c, Function))
+        self.unknown = not functions or not all(is_native(c) or isinstance(c, Class) for c in self.callees)
+        self.creates = len(seen.refs) == 1 and all(isinstance(f, Class) for f in functions)
+        self.externals: frozenset[Root] = frozenset(map(of_library, seen.externals))
+        self.opens = any(isinstance(f, Native) and f.name.endswith("open") for f in functions)
+        self.spins = any(_spins(f) for f in callees(functions))
+
+
+@final
+class Sites:
+    """Those of one walk."""
+
+    def __init__(self) -> None:
+        self._calls: dict[Seen, Site] = {}
+        self._by_code: dict[Seen, dict[str, list[Called]]] = {}
+        self._together: dict[tuple[Seen, str], list[Called]] = {}
+
+    def of(self, op: ops.Call, seen: Seen) -> Site:
+        """What is said of a call."""
+        found = self._calls.get(seen)
+        if found is None:
+            found = self._calls[seen] = Site(op, seen)
+        return found
+
+    def by_code(self, seen: Seen) -> dict[str, list[Called]]:
+        """The functions that an operation calls, those of one code together."""
+        if not seen.calls:
+            return _NO_CALLS
+        found = self._by_code.get(seen)
+        if found is None:
+            found = self._by_code[seen] = {}
+            for called in seen.calls.values():
+                found.setdefault(called.function.code.key, []).append(called)
+        return found
+
+    def together(self, seen: Seen, key: str) -> list[Called]:
+        """The calls of one code, those as one that differ in nothing but the objects that stand in a register."""
+        found = self._together.get((seen, key))
+        if found is None:
+            ones: dict[object, Called] = {}
+            for number, called in enumerate(self.by_code(seen)[key]):
+                kind = _kind(called) or number
+                known = ones.get(kind)
+                ones[kind] = called if known is None else _both(known, called)
+            found = self._together[seen, key] = list(ones.values())
+        return found
+
+
+def _kind(called: Called) -> object:
+    """What tells a call from others with which it can be taken together; None where there are none such."""
+    handed = (*called.args, *(h for _, h in called.keywords))
+    if not all(h.registers or h.more for h in handed):
+        return None
+    return (called.function, len(called.args), tuple([h.registers for h in handed]), *[n for n, _ in called.keywords])
+
+
+def _both(one: Called, other: Called) -> Called:
+    args = tuple(map(Handed.joined, one.args, other.args))
+    keywords = tuple((n, a.joined(b)) for (n, a), (_, b) in zip(one.keywords, other.keywords, strict=True))
+    return Called(one.function, args, keywords)
+
+
+_NO_CALLS: Final[dict[str, list[Called]]] = {}
+
+
+def merged(several: list[Activation]) -> Activation:
+    """All that was seen of one body. What was seen in one activation only, or of which nothing is known but that it ran, is not copied."""
+    first = several[0]
+    found = Activation(first.code, -1, first.cells, first.module)
+    together, own = found.seen, set[int]()
+    for each in several:
+        found.names |= each.names
+        for number, seen in each.seen.items():
+            known = together.get(number)
+            if known is None or known is REACHED or (known is ALIVE and seen.alive):
+                together[number] = seen
+            elif seen is not known and seen is not REACHED and not (seen is ALIVE and known.alive):
+                if number not in own:
+                    own.add(number)
+                    together[number] = Seen()
+                    together[number].absorb(known)
+                together[number].absorb(seen)
+    return found
+
+
+def is_native(callee: Value) -> bool:
+    """Whether it is a function of a library, or a method of a builtin."""
+    return isinstance(callee, (Native, External)) or (
+        isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
+    )
+
+
+def callees(functions: Iterable[Value]) -> Iterable[Value]:
+    """What is behind methods and partials."""
+    for value in functions:
+        for option in options(value):
+            while isinstance(option, Partial):
+                option = option.function  # noqa: PLW2901 - what it stands for
+            if isinstance(option, BoundMethod) and not isinstance(option.function, Native):
+                yield option.function
+            elif isinstance(option, Descriptor):
+                yield option.getter
+            else:
+                yield option
+
+
+def _as_written(op: ops.Call, functions: Iterable[Value]) -> Iterator[Value]:
+    """What is called; not the natives of which the operation does not say what they are given (`Seen.performed`)."""
+    for option in (o for f in functions for o in options(f)):
+        for callee in callees((option,)):
+            if not (op.spreads or isinstance(option, Partial)) or not is_native(callee):
+                yield callee
+
+
+def _apart(several: Iterable[Value]) -> Iterable[Value]:
+    """Of the methods of natives, one for each function: what all of them are bound to is known."""
+    return {(BoundMethod, c.function) if isinstance(c, BoundMethod) else c: c for c in several}.values()
+
+
+def _spins(function: Value) -> bool:
+    if isinstance(function, Native):
+        return function.name == "_rosward.spin"
+    return isinstance(function, Function) and any(
+        isinstance(e, Tuple) and e.items[0] == Const("spins") for e in function.effects
+    )
