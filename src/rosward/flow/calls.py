@@ -66,25 +66,26 @@ def run_callees(
         marks = _all_bound(walker, op, body, several)
         if told != NOTHING:
             marks = [[*m[:1], *(each.joined(told) for each in m[1:])] for m in marks]
+        whole = marks[0] if len(marks) == 1 else joined_marks(marks)
         if code.is_generator or code.is_coroutine:
-            keep_arguments(walker, key, marks[0])
+            keep_arguments(walker, key, whole)
             made = Mark(inside, frozenset((("generator", key),)))
             result = made if result is None else result.joined(made)
             continue
         called_here.add(key)
         name = f"{function.module.name}.{code.qualname}"
         if code.file.startswith("models:") and not code.is_stub:
-            result = _perform(walker, body, name, marks[0], result)
+            result = _perform(walker, body, name, whole, result)
         if walker.hurries and code.file.startswith("models:") and walker.shape.said(name).pure:
-            computed = library.computed(walker, body, name, marks[0])
+            computed = library.computed(walker, body, name, whole)
             result = computed if result is None else result.joined(computed)
             continue
         if not mine and code.is_stub:
-            declared = natives.by_name(walker, op, body, seen, name, marks[0])
-            declared = library.declared(walker, body, function, marks[0]) if declared is None else declared
+            declared = natives.by_name(walker, op, body, seen, name, whole)
+            declared = library.declared(walker, body, function, whole) if declared is None else declared
             result = declared if result is None else result.joined(declared)
         for number, activation in enumerate(mine):
-            given = marks[number] if len(marks) == len(mine) else joined_marks(marks)
+            given = marks[number] if len(marks) == len(mine) else whole
             ways.append(partial(walker.enter, activation, given, inside))
     for key, activations in waiting.items():
         if key not in called_here and (not names or activations[0].code.name in names):
@@ -110,7 +111,7 @@ def _performed(walker: Walker, op: ops.Op, body: Body, seen: Seen) -> Mark:
 
 def _all_bound(walker: Walker, op: ops.Op, body: Body, several: list[Called]) -> list[list[Mark]]:
     """The marks of the parameters of each call; of many, joined."""
-    marks = [_bound(walker, op, body, called) for called in several[: _FEW * 4]]
+    marks = [_bound(walker, op, body, called) for called in several]
     return marks if len(several) <= _FEW else [joined_marks(marks)]
 
 
