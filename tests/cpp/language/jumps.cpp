@@ -63,7 +63,23 @@ static void jump_19() {
 static void jump_20() {
   unused: std::string s = "u"; show("j20_" + s);
 }
+static void jump_21() {
+  std::string s; {int a = 0; again: s += "x"; if (++a < 3) goto again; if (a == 3) goto done; s += "never";} s += "mid"; done: show(std::string("j21_") + (s));
+}
+static void jump_22() {
+  std::string s; int a = 0, b = 0; outer: s += "o"; {inner: s += "i"; if (++a == 1) goto inner; if (++b == 1) goto outer;} s += "t"; show(std::string("j22_") + (s));
+}
+static void jump_23() {
+  std::string s; {int a = 0; again: s += "x"; if (++a < 2) goto again; for (;;) {if (a++ > 2) goto done; s += "k";}} s += "skip"; done: s += "y"; show(std::string("j23_") + (s));
+}
+static void jump_24() {
+  std::string s; for (int i = 0; i < 2; ++i) {int k = 0; up: s += "u"; {int j = 0; in: if (j++ < 1) goto in; if (k++ < 1) goto up; if (i == 0) continue; s += "e";} s += "f";} show(std::string("j24_") + (s));
+}
 static void run() {
+  jump_21();
+  jump_22();
+  jump_23();
+  jump_24();
   jump_0();
   jump_1();
   jump_2();

@@ -132,7 +132,7 @@ def _fitted(
 
     Messages alone arrive otherwise than they are asked for: a library hands them over."""
     held = read(machine, value)
-    if any(o.__class__ is Unknown and not o.hint for o in options(held)):
+    if _only_read(parameter.type) and any(o.__class__ is Unknown and not o.hint for o in options(held)):
         type_ = type_of_pattern(machine, env, parameter.type, bindings)
         shown = typed(machine, held, type_, Declared((code.key, parameter.name)))
         if shown != held:
@@ -152,6 +152,16 @@ def _fitted(
 
     fitted = lift(one, held)
     return value if fitted == held else fitted
+
+
+def _only_read(pattern: TypePattern) -> bool:
+    """Whether what a function writes to a parameter of a type is not seen by who calls it."""
+    last = pattern.names[-1] if pattern.names else ""
+    if pattern.pointers:
+        return False
+    if is_pointer_pattern(pattern):
+        return last.startswith("Const") or bool(pattern.arguments and pattern.arguments[0].const)
+    return not pattern.reference or (pattern.reference == "&" and pattern.const)
 
 
 def _takes_pointer(

@@ -65,7 +65,8 @@ def hand_over(
     machine.escape((*held, *(t for t in types if isinstance(t, Class))), name, callee)
     for value in held if informed else ():
         change(machine, value, name, informed=True)
-    reached = [o.target for v in values for o in options(v) if isinstance(o, Pointer) and isinstance(o.target, Slot)]
+    pointers = [o for v in values for o in options(read(machine, v)) if isinstance(o, Pointer)]
+    reached = [o.target for o in pointers if isinstance(o.target, Slot)]
     for slot in (*changed, *(each for place in reached for each in _from_there(machine, place))):
         if isinstance(slot, Slot) and _may_be_written(machine, read(machine, slot)) and not _is_constant(machine, slot):
             write(machine, slot, machine.unknown(Cause.CALL, name), weak=True)

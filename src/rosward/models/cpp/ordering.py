@@ -18,7 +18,7 @@ from rosward.models.native import Machine
 from rosward.models.python.operators.compare import equal
 from rosward.models.python.plain import NOT_PLAIN, plain
 
-__all__ = ["in_order", "unique"]
+__all__ = ["foremost", "in_order", "unique"]
 
 _MOST: Final = 300
 
@@ -35,6 +35,12 @@ def in_order(values: list[Value], cls: Value | None = None) -> list[int] | None:
         return sorted(range(len(values)), key=lambda n: ranks[n], reverse=reverse)
     except TypeError:
         return None
+
+
+def foremost(series: Series, cls: Value) -> int | None:
+    """Which element of a priority queue of this class comes first; None where that is not known."""
+    order = in_order(list(series.head), cls) if series.exact else None
+    return order[-1] if order else None
 
 
 def _is_reversed(cls: Value) -> bool | None:

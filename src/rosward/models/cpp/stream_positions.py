@@ -51,8 +51,7 @@ def _seek_to_write(call: NativeCall) -> Value:
                 put_in(machine, option, OVER, whole)
                 put_in(machine, option, WRITTEN, from_python(machine, text[:place]))
             else:
-                for name in (TEXT, LEFT):
-                    put_in(machine, option, name, unknown_from(machine, "seekp", "str", whole))
+                put_in(machine, option, OVER, unknown_from(machine, "seekp", "str", whole))
     return stream
 
 

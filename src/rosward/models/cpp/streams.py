@@ -15,7 +15,7 @@ from rosward.domain.compound import External, Partial
 from rosward.domain.heap import Obj
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
-from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Ref, Value
+from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.formatting import Flags, shown
 from rosward.models.cpp.slots import read, read_field
@@ -148,7 +148,12 @@ def _flags(machine: Machine, ref: Ref) -> Flags:
 
 
 def _append(machine: Machine, ref: Ref, text: Value, *, weak: bool = False) -> None:
-    over = text_of(held_in(machine, ref, OVER))
+    beneath = held_in(machine, ref, OVER)
+    if isinstance(beneath, Unknown):  # nobody knows where it is written
+        for name in (TEXT, LEFT):
+            put_in(machine, ref, name, unknown_from(machine, "<<", "str", beneath, text))
+        return
+    over = text_of(beneath)
     if over:
         _write_over(machine, ref, over, text, weak=weak)
         return
@@ -166,8 +171,10 @@ def _write_over(machine: Machine, ref: Ref, over: str, text: Value, *, weak: boo
         else from_python(machine, plain + over[len(plain) :])
     )
     put_in(machine, ref, WRITTEN, written, weak=weak)
-    for name in (TEXT, LEFT):
-        put_in(machine, ref, name, result, weak=weak)
+    nothing_read = held_in(machine, ref, LEFT) == held_in(machine, ref, TEXT)
+    left = result if nothing_read else unknown_from(machine, "<<", "str", result)
+    for name, value in ((TEXT, result), (LEFT, left)):
+        put_in(machine, ref, name, value, weak=weak)
 
 
 def held_in(machine: Machine, ref: Ref, name: str) -> Value:

@@ -65,6 +65,8 @@ def _async(call: NativeCall) -> Value:
 _TASK: Final = "task"
 _VALUE: Final = "value"
 _PROMISE: Final = "promise"
+_HAS_FUTURE: Final = "has future"
+"""A promise of which there is a future; one that is assigned in its place has none."""
 
 
 def _future_of(call: NativeCall) -> Value:
@@ -74,6 +76,7 @@ def _future_of(call: NativeCall) -> Value:
         return machine.unknown(Cause.LIVE, "std.future")
     future = _opaque(machine, "std.future")
     machine.update(future, machine.obj(future).with_attr(_PROMISE, Pointer(held)))
+    machine.update(held, machine.obj(held).with_attr(_HAS_FUTURE, TRUE))
     return future
 
 
@@ -103,7 +106,8 @@ def _get(call: NativeCall) -> Value:
 def _promised(machine: Machine, promise: Value) -> Value:
     """What was set, or will be by the time that somebody asks for it."""
     target = promise.target if isinstance(promise, Pointer) else None
-    found = machine.obj(target).attrs.get(_VALUE) if isinstance(target, Ref) else None
+    attrs = machine.obj(target).attrs if isinstance(target, Ref) else {}
+    found = attrs.get(_VALUE) if _HAS_FUTURE in attrs else None
     return found or machine.unknown(Cause.LIVE, "std.future")
 
 

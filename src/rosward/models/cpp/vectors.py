@@ -37,7 +37,7 @@ from rosward.models.cpp.exceptions import may_raise, raises
 from rosward.models.cpp.iterators import as_iterator, iterator, leading_into
 from rosward.models.cpp.iterators import begin as begin_of
 from rosward.models.cpp.iterators import end as end_of
-from rosward.models.cpp.ordering import in_order
+from rosward.models.cpp.ordering import foremost
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.sorting import sorted_values
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
@@ -123,7 +123,12 @@ def _pop(call: NativeCall) -> Value:
         front = call.name.endswith("front") or (call.name.endswith(".pop") and not _is_stack(call.machine, ref))
         if series.exact and not series.head:
             continue  # undefined
-        write_series(call.machine, ref, series.without_at(0 if front else -1))
+        if name_of(cls_of(call.machine, ref)) == "std.priority_queue":
+            number = foremost(series, cls_of(call.machine, ref))
+            kept = series.loose() if number is None else Series((*series.head[:number], *series.head[number + 1 :]))
+        else:
+            kept = series.without_at(0 if front else -1)
+        write_series(call.machine, ref, kept)
     return NONE
 
 
@@ -218,9 +223,8 @@ def _edge(call: NativeCall) -> Value:
             found.append(place_of(machine, ref, Const(0)))
             continue
         if name == "top" and name_of(cls_of(machine, ref)) == "std.priority_queue":
-            order = in_order(list(series.head), cls_of(machine, ref)) if series.exact else None
-            best = series.head[order[-1]] if order else series.element()
-            found.append(best if best is not None else lost(call))
+            number = foremost(series, cls_of(machine, ref))
+            found.append((series.element() if number is None else series.head[number]) or lost(call))
             continue
         last = series.at(-1)
         if last is None:

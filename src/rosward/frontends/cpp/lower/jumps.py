@@ -90,6 +90,9 @@ def in_parts(
     inner = body.block(turn)
     body.jumps.pop()
     body.emit(While(*body.place(node), [], going, inner, []))
+    for outer in body.jumps:
+        if outer.depths:
+            body.emit(If(*body.place(node), outer.going, body.block(lambda: _on(body, node, outer)), []))  # noqa: B023
     for kind, register in leaving.items():
         body.emit(If(*body.place(node), register, body.block(lambda: leave(kind)), []))  # noqa: B023 - it is called at once
 
@@ -102,10 +105,15 @@ def behind_loop(body: Body, node: Node) -> None:
 
 
 def _on(body: Body, node: Node, jumps: Jumps) -> None:
-    """Go on to a label, or out of one more loop first."""
-    inside = len(body.loops) > jumps.loops
-    body.end_objects(node, body.scopes[body.loops[-1].scopes if inside else jumps.scopes :])
-    body.emit(Break(*body.place(node)) if inside else Continue(*body.place(node)))
+    """Go on to a label, or first out of one more loop, or block with labels."""
+    inner = body.jumps[-1]
+    if inner.loops < len(body.loops):
+        scopes = body.loops[-1].scopes
+    else:
+        scopes = inner.scopes
+    body.end_objects(node, body.scopes[scopes:])
+    there = inner is jumps and jumps.loops == len(body.loops)
+    body.emit(Continue(*body.place(node)) if there else Break(*body.place(node)))
 
 
 def leaves(body: Body, node: Node, kind: str) -> bool:
