@@ -85,7 +85,7 @@ def test_literals(literal: str, value: object) -> None:
 @pytest.mark.parametrize(
     ("statement", "expected"),
     [
-        ("goto end; end: g();", ["language goto"]),
+        ("goto inside; {inside: g();}", ["language goto"]),
         ("int n = sizeof(int);", ["language sizeof"]),
         ("co_await g();", ["language co_await"]),
         ("decltype(g()) x = 1;", ["language decltype"]),

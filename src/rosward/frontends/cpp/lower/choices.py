@@ -22,20 +22,18 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 
-def statements(body: Body, nodes: Sequence[Node]) -> None:
-    """Lower statements into the current block."""
-    found = jumps.parts(nodes)
+def statements(body: Body, nodes: Sequence[Node], *, split: bool = True) -> None:
+    """Lower statements into the current block; `split`: at their labels."""
+    found = jumps.parts(nodes) if split else []
     if len(found) > 1:
-        jumps.in_parts(body, found, lambda part: _statements(body, part), lambda kind: _leave(body, nodes[-1], kind))
-    else:
-        _statements(body, nodes)
-
-
-def _leave(body: Body, node: Node, kind: str) -> None:
-    body.shared.statements[f"{kind}_statement"](body, node)
-
-
-def _statements(body: Body, nodes: Sequence[Node]) -> None:
+        node = nodes[-1]
+        jumps.in_parts(
+            body,
+            found,
+            lambda part: statements(body, part, split=False),
+            lambda kind: body.shared.statements[f"{kind}_statement"](body, node),
+        )
+        return
     if not body.shared.choices:
         for node in nodes:
             body.statement(node)

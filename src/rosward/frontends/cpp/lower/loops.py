@@ -40,8 +40,6 @@ if TYPE_CHECKING:
 
 _STEP: Final = 200
 """Nodes in what is done before each turn, which is lowered once for each `continue`."""
-Statement = Callable[[Body, "Node"], None]
-
 _AUTO: Final = frozenset({"placeholder_type_specifier", "auto"})
 
 
@@ -60,6 +58,7 @@ def _while(body: Body, node: Node) -> None:
         lambda: _looped(body, node.child_by_field_name("body"), None),
     )
     body.close(node)
+    behind_loop(body, node)
 
 
 def _loop(
@@ -109,6 +108,7 @@ def _do(body: Body, node: Node) -> None:
     turn = body.block(lambda: _looped(body, node.child_by_field_name("body"), None))
     body.emit(While(*body.place(node), test_block, asked, turn, []))
     body.close(node)
+    behind_loop(body, node)
 
 
 def _for(body: Body, node: Node) -> None:
@@ -140,6 +140,7 @@ def _for(body: Body, node: Node) -> None:
 
     _loop(body, node, test, turn, counted=asked is not None and update is not None)
     body.close(node)
+    behind_loop(body, node)
 
 
 def _range(body: Body, node: Node) -> None:
@@ -169,6 +170,7 @@ def _range(body: Body, node: Node) -> None:
 
     body.emit(ForEach(*body.place(node), item, elements, body.block(turn), []))
     body.close(node)
+    behind_loop(body, node)
 
 
 def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) -> None:
@@ -236,6 +238,7 @@ def _switch(body: Body, node: Node) -> None:
     if goes_on != NO_REGISTER:
         body.emit(If(*body.place(node), goes_on, body.block(lambda: continue_(body, node)), []))
     body.close(node)
+    behind_loop(body, node)
 
 
 def _case(body: Body, node: Node, cases: list[Node], subjects: list[Subject], opened: int, open_before: bool) -> bool:
@@ -289,20 +292,10 @@ def _none(body: Body, node: Node, cases: list[Node], value: int) -> int:
     return found
 
 
-def _then_jumps(lower: Statement) -> Statement:
-    """A loop, and the jumps that have left it."""
-
-    def statement(body: Body, node: Node) -> None:
-        lower(body, node)
-        behind_loop(body, node)
-
-    return statement
-
-
 STATEMENTS: Final = {
-    "while_statement": _then_jumps(_while),
-    "do_statement": _then_jumps(_do),
-    "for_statement": _then_jumps(_for),
-    "for_range_loop": _then_jumps(_range),
-    "switch_statement": _then_jumps(_switch),
+    "while_statement": _while,
+    "do_statement": _do,
+    "for_statement": _for,
+    "for_range_loop": _range,
+    "switch_statement": _switch,
 }
