@@ -11,12 +11,11 @@ import pytest
 from compiled import interpreted
 
 import rosward
-from rosward.domain.values import Value
 from rosward.engine import recalled
 from rosward.engine.budget import Budget
-from rosward.engine.machine import Engine
-from rosward.engine.summaries import Call
 from rosward.outputs.documents.network_json import network_json
+
+from .recalling import noted_recalls
 
 _HEAD = """
 import random
@@ -170,23 +169,10 @@ _TRIED = (
 )
 
 
-def _recalls(monkeypatch: pytest.MonkeyPatch) -> list[Call]:
-    """The calls that are recalled from now on."""
-    found: list[Call] = []
-    repeated = recalled.repeated
-
-    def noting(machine: Engine, key: str, call: Call) -> Value:
-        found.append(call)
-        return repeated(machine, key, call)
-
-    monkeypatch.setattr(recalled, "repeated", noting)
-    return found
-
-
 @interpreted
 def test_a_handler_sees_what_a_recalled_call_wrote(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "main.py").write_text(_TRIED, encoding="utf-8")
-    recalls = _recalls(monkeypatch)
+    recalls = noted_recalls(monkeypatch)
     found = _told(tmp_path)
     assert any(call.told and call.written and call.raised for call in recalls)
     assert all(f'"/{name}"' in found for name in ("left_done", "left/refused"))
@@ -219,7 +205,7 @@ _REPEATS = (
 
 def test_a_call_that_would_do_the_same_is_not_made(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "main.py").write_text(_REPEATS, encoding="utf-8")
-    recalls = _recalls(monkeypatch)
+    recalls = noted_recalls(monkeypatch)
     found = _told(tmp_path)
     assert sum(call.effort.steps for call in recalls) > 100
     assert '"/a"' in found

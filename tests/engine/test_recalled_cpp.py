@@ -17,9 +17,10 @@ from rosward.engine import recalled
 from rosward.engine.budget import Budget
 from rosward.engine.cpp import values
 from rosward.engine.machine import Engine
-from rosward.engine.summaries import Call
 from rosward.ir.symbols import Symbol
 from rosward.outputs.documents.network_json import network_json
+
+from .recalling import noted_recalls
 
 _HEAD: Final = """
 #include <cstdlib>
@@ -153,19 +154,6 @@ def test_the_result_is_that_of_following_all(
     assert found == followed or ("RW201" in followed and _topics(found) >= _topics(followed))
 
 
-def _recalls(monkeypatch: pytest.MonkeyPatch) -> list[Call]:
-    """The calls that are recalled from now on."""
-    found: list[Call] = []
-    repeated = recalled.repeated
-
-    def noting(machine: Engine, key: str, call: Call) -> Value:
-        found.append(call)
-        return repeated(machine, key, call)
-
-    monkeypatch.setattr(recalled, "repeated", noting)
-    return found
-
-
 _BOARDS: Final = """
 #include <memory>
 #include <string>
@@ -237,7 +225,7 @@ int main(int argc, char ** argv) {
 @interpreted
 def test_what_is_made_in_loops_within_loops_is_not_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each call has variables of its own, whose addresses the functions within get."""
-    recalls = _recalls(monkeypatch)
+    recalls = noted_recalls(monkeypatch)
     found = _told(tmp_path, _BOARDS)
     assert {"/none/state", "/state*"} <= _topics(found)
     assert any(call.fresh and call.effort.steps > 100 for call in recalls)

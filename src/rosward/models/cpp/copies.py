@@ -76,8 +76,10 @@ def _write(machine: Machine, slot: Slot, value: Value, *, weak: bool) -> None:
 def overlapping(cls: Obj | None, name: str) -> frozenset[str]:
     """By the record of a class, the fields of its objects that are written with this one."""
     rule = None if cls is None else cls.attrs.get(UNION)
-    names = [str(each.value) for each in rule.items if isinstance(each, Const)] if isinstance(rule, Tuple) else []
-    return frozenset(names) - {name} if name in names else _NONE
+    if not isinstance(rule, Tuple):
+        return _NONE
+    names = frozenset(str(each.value) for each in rule.items if isinstance(each, Const))
+    return names - {name} if name in names else _NONE
 
 
 _NONE: Final = frozenset[str]()

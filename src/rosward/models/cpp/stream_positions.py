@@ -8,6 +8,7 @@ stream.ignore(9, ',');      what is to be read begins behind the comma
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Final
 
 from rosward.domain.choice import options
@@ -21,38 +22,38 @@ from rosward.models.python.plain import from_python, int_of, text_of, unknown_fr
 __all__ = ["NATIVES"]
 
 
-def _seek_to_read(call: NativeCall) -> Value:
-    """stream.seekg(n): what is still to be read begins elsewhere."""
-    machine, stream = call.machine, read(call.machine, call.args[0])
+def _sought(call: NativeCall) -> Iterator[tuple[Ref, Value, str | None, int]]:
+    """Each stream with its text, that text where it is known, and the place in it that is asked for; -1 where that is not known."""
+    machine = call.machine
     place = int_of(read(machine, call.args[1])) if len(call.args) == 2 else None
-    for option in options(stream):
+    for option in options(read(machine, call.args[0])):
         if isinstance(option, Ref):
             whole = held_in(machine, option, TEXT)
-            text = text_of(whole)
-            known = text is not None and place is not None and place >= 0
-            left = (
-                from_python(machine, text[place:])
-                if known and text is not None
-                else unknown_from(machine, "seekg", "str", whole)
-            )
-            put_in(machine, option, LEFT, left)
-    return stream
+            yield option, whole, text_of(whole), -1 if place is None else place
+
+
+def _seek_to_read(call: NativeCall) -> Value:
+    """stream.seekg(n): what is still to be read begins elsewhere."""
+    machine = call.machine
+    for stream, whole, text, place in _sought(call):
+        if text is not None and place >= 0:
+            left = from_python(machine, text[place:])
+        else:
+            left = unknown_from(machine, "seekg", "str", whole)
+        put_in(machine, stream, LEFT, left)
+    return read(machine, call.args[0])
 
 
 def _seek_to_write(call: NativeCall) -> Value:
     """stream.seekp(n): what stands behind that place is written over."""
-    machine, stream = call.machine, read(call.machine, call.args[0])
-    place = int_of(read(machine, call.args[1])) if len(call.args) == 2 else None
-    for option in options(stream):
-        if isinstance(option, Ref):
-            whole = held_in(machine, option, TEXT)
-            text = text_of(whole)
-            if text is not None and place is not None and 0 <= place <= len(text):
-                put_in(machine, option, OVER, whole)
-                put_in(machine, option, WRITTEN, from_python(machine, text[:place]))
-            else:
-                put_in(machine, option, OVER, unknown_from(machine, "seekp", "str", whole))
-    return stream
+    machine = call.machine
+    for stream, whole, text, place in _sought(call):
+        if text is not None and 0 <= place <= len(text):
+            put_in(machine, stream, OVER, whole)
+            put_in(machine, stream, WRITTEN, from_python(machine, text[:place]))
+        else:
+            put_in(machine, stream, OVER, unknown_from(machine, "seekp", "str", whole))
+    return read(machine, call.args[0])
 
 
 def _skip(call: NativeCall) -> Value:

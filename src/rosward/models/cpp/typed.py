@@ -83,9 +83,15 @@ def _typed(machine: Machine, unknown: Unknown, type_: Value, site: Declared) -> 
         element = _typed(machine, Unknown(derived(unknown.reasons)), argument(whole, 0), inner)
         made = machine.allocate(Obj("list", whole, **fields_of(Series((), element))), site)
     else:
-        hint = hint_of(whole) if target is None else ""
-        return Unknown(unknown.reasons, hint, unknown.variable) if hint in _PLAIN else unknown
+        hint = _hint(whole) if target is None else ""
+        return Unknown(unknown.reasons, hint, unknown.variable) if hint else unknown
     return Pointer(made) if target is not None and isinstance(made, Ref) else made
+
+
+def _hint(type_: Value) -> str:
+    """What is known of any value of a plain type."""
+    hint = hint_of(type_)
+    return hint if hint in _PLAIN else ""
 
 
 def unknown_sequence(machine: Machine, message: Ref, name: str, field: Field, unknown: Unknown) -> Obj:
@@ -98,8 +104,7 @@ def unknown_sequence(machine: Machine, message: Ref, name: str, field: Field, un
         element = machine.place_inner(message, f"{name}[]", inner, again=False)
     elif field.type in _BUILTIN:
         type_ = _BUILTIN[field.type]
-        hint = hint_of(type_)
-        element = Unknown(unknown.reasons, hint if hint in _PLAIN else "")
+        element = Unknown(unknown.reasons, _hint(type_))
     size = field.array.strip("[]")
     cls = TypeOf("std.array", (type_, Const(int(size)))) if size.isdecimal() else TypeOf("std.vector", (type_,))
     return Obj("list", cls, **fields_of(Series((), element)))

@@ -29,7 +29,13 @@ _MOST: Final = 40
 
 
 def _label(node: Node) -> str:
-    name = node.child_by_field_name("label") if node.type == _LABEL else None
+    """What a statement is called; '' where it has no label."""
+    return _target(node) if node.type == _LABEL else ""
+
+
+def _target(node: Node) -> str:
+    """The label of such a statement, or of a `goto`."""
+    name = node.child_by_field_name("label")
     return "" if name is None or name.text is None else name.text.decode("utf-8", "replace")
 
 
@@ -57,11 +63,6 @@ def parts(nodes: Sequence[Node]) -> list[list[Node]]:
             found.append([])
         found[-1].append(node)
     return found
-
-
-def _target(node: Node) -> str:
-    name = node.child_by_field_name("label")
-    return "" if name is None or name.text is None else name.text.decode("utf-8", "replace")
 
 
 def in_parts(
