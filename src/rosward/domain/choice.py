@@ -84,8 +84,10 @@ def join_all(values: Iterable[Value]) -> Value:
             found[value] = None
     found.pop(UNBOUND, None)
     if len(found) > 1:
-        if any([o.__class__ is Const and o.origins for o in found]):
-            found = _merged(found)
+        for option in found:
+            if option.__class__ is Const and option.origins:
+                found = _merged(found)
+                break
         unknowns = [o for o in found if o.__class__ is Unknown]
         if unknowns:
             for unknown in unknowns:
