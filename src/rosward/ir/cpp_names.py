@@ -170,14 +170,30 @@ class Read(Op):
 
 @final
 class LocalSymbol(Op):
-    """dst = the class or enum that is declared in a function body."""
+    """dst = the class or enum that is declared in a function body.
 
-    __slots__ = ("dst", "symbol")
+    `names` are those of the body that it mentions, and mean what is in `registers`: the first `types` of them types, constants and packs, the
+    others variables that are the same in each call.
+    """
 
-    def __init__(self, line: int, column: int, dst: int, symbol: Symbol) -> None:
+    __slots__ = ("dst", "names", "registers", "symbol", "types")
+
+    def __init__(
+        self,
+        line: int,
+        column: int,
+        dst: int,
+        symbol: Symbol,
+        names: tuple[str, ...] = (),
+        registers: tuple[int, ...] = (),
+        types: int = 0,
+    ) -> None:
         super().__init__(line, column)
         self.dst = dst
         self.symbol = symbol
+        self.names = names
+        self.registers = registers
+        self.types = types
 
 
 @final

@@ -115,13 +115,25 @@ def bind_template(
 
 
 def instance_of(
-    machine: Engine, symbol: Symbol, env: ModuleValue, types: tuple[Value, ...], bindings: dict[str, Value]
+    machine: Engine,
+    symbol: Symbol,
+    env: ModuleValue,
+    types: tuple[Value, ...],
+    bindings: dict[str, Value],
+    around: dict[str, Value] | None = None,
+    *,
+    apart: tuple[Value, ...] = (),
 ) -> Value:
-    """The class of a symbol in a scope, for these arguments of its template."""
+    """The class of a symbol in a scope, for these arguments of its template.
+
+    `around`: what names mean that a function has which declares it; those that tell one instance from another are `apart`.
+    """
     program = linked(machine)
-    address = machine.place_key(("class", symbol.key, env.address, types))
+    address = machine.place_key(("class", symbol.key, env.address, (*types, *apart)))
     known = program.infos.get(address)
     if known is not None and known.cls is not None:
+        if around:
+            known.around = around
         return known.cls
     if types:
         count = program.instances[symbol.key] = program.instances.get(symbol.key, 0) + 1
@@ -134,6 +146,7 @@ def instance_of(
     name = f"{outer}.{symbol.name}" if outer else symbol.name
     scope = ModuleValue(address, name, symbol.place.file)
     info = program.infos[address] = Info(symbol, env, scope, symbol.inner, types, bindings)
+    info.around = around or {}
     program.scopes[address] = symbol.inner
     stub = symbol.place.file.startswith(MODEL_PREFIX)
     # its bases may name it (`class Unit : public Reports<Unit>`)

@@ -31,11 +31,11 @@ class Info:
     """A class at run time: its symbol, the scope of its members, what its template parameters stand for, its bases and fields.
 
     `keys` says under which name each field stands in an object: two fields of one name in a class and its base are two.
-    `open`: a template of which the arguments are not known yet (they follow from a constructor). `virtual`: its virtual bases, those of
+    `around`: names of the function that declares it. `open`: a template of which the arguments are not known yet (they follow from a constructor). `virtual`: its virtual bases, those of
     its bases, too.
     """
 
-    __slots__ = ("bindings", "cls", "env", "fields", "keys", "open", "outer", "scope", "symbol", "types", "virtual")
+    __slots__ = ("around", "bindings", "cls", "env", "fields", "keys", "open", "outer", "scope", "symbol", "types", "virtual")
 
     def __init__(
         self,
@@ -52,6 +52,7 @@ class Info:
         self.scope = scope
         self.types = types
         self.bindings = bindings
+        self.around: dict[str, Value] = {}
         self.open = False
         self.fields: tuple[Symbol, ...] = ()
         self.keys: dict[str, str] = {}

@@ -88,6 +88,8 @@ def _unqualified(
             if named is not None:
                 return named
             found = in_class(machine, info, name)
+            if found is None and name in info.around:
+                return info.around[name]
         else:
             found = in_namespace(machine, program.scope_of(here), name, env.file)
             if found is None and not program.scope_of(here):
@@ -210,6 +212,8 @@ def _first(machine: Engine, env: ModuleValue, name: str, *, absolute: bool) -> S
             found = in_class(machine, info, name)
             if found is not None and _is_scope(found):
                 return found
+            if name in info.around:
+                return info.around[name]
         else:
             step = _in_namespace_step(machine, program.scope_of(here), name, env.file)
             if step is not None:

@@ -311,7 +311,10 @@ def _local_symbol(machine: Engine, op: cpp.LocalSymbol, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     symbol = op.symbol
     if symbol.kind is SymbolKind.CLASS:
-        frame.registers[op.dst] = instance_of(machine, symbol, frame.module, (), {})
+        held = [frame.registers[r] for r in op.registers]
+        around = dict(zip(op.names, held, strict=True))
+        cls = instance_of(machine, symbol, frame.module, (), {}, around, apart=tuple(held[: op.types]))
+        frame.registers[op.dst] = cls
     else:
         frame.registers[op.dst] = External(".".join(n for n in (*symbol.scope, symbol.name) if n))
 
