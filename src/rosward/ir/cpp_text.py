@@ -134,7 +134,9 @@ PRINT: Final[Mapping[type, Callable[[Any, Any], str | None]]] = {
     cpp.Read: lambda p, op: f"{p.r(op.dst)} = read {p.r(op.src)}",
     cpp.Assign: _assign,
     cpp.Step: _step,
-    cpp.Copy: lambda p, op: f"{p.r(op.dst)} = copy {p.r(op.src)}",
+    cpp.Copy: lambda p, op: (
+        f"{p.r(op.dst)} = copy {p.r(op.src)}" + (f" as {p.r(op.type)}" if op.type != NO_REGISTER else "")
+    ),
     cpp.Convert: lambda p, op: f"{p.r(op.dst)} = convert {p.r(op.src)} to {p.r(op.type)} {op.kind}",
     cpp.Construct: lambda p, op: f"{p.r(op.dst)} = construct {p.r(op.type)}({_given(p, op.arguments)}) {op.form}",
     cpp.Initialise: _initialise,

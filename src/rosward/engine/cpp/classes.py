@@ -14,16 +14,16 @@ from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class, Const, ModuleValue, Unknown, Value
+from rosward.engine.cpp import names
 from rosward.engine.cpp.linked import INSTANCES, Info, linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import flat, match
 from rosward.ir.program import MODEL_PREFIX
 from rosward.ir.symbols import Symbol, SymbolKind, TemplateParameter
-from rosward.models.cpp.copies import COPY, REFERENCES, UNION
+from rosward.models.cpp.copies import ASSIGN, COPY, REFERENCES, UNION
 
 if TYPE_CHECKING:
-    from rosward.engine.cpp.names import Found
     from rosward.engine.machine import Engine
 
 __all__ = ["bind_template", "class_of", "copies", "instance_of", "specialised"]
@@ -31,7 +31,7 @@ __all__ = ["bind_template", "class_of", "copies", "instance_of", "specialised"]
 _DEPTH: Final = 60
 
 
-def class_of(machine: Engine, found: Found, types: tuple[Value, ...] | None) -> Value:
+def class_of(machine: Engine, found: names.Found, types: tuple[Value, ...] | None) -> Value:
     """The class that a name stands for, with these template arguments."""
     symbols = [s for s in found.symbols if s.kind is SymbolKind.CLASS]
     general = [s for s in symbols if s.specialises is None]
@@ -190,9 +190,30 @@ def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:
         rules[UNION] = Tuple(shared)
     if "node_class" in symbol.marks or "unique" in symbol.marks:
         rules[COPY] = NONE
-    elif copies(machine, info):
+    elif copies(machine, info) or any(_is_copied(machine, base) for base in cls.bases):
         rules[COPY] = cls
+    assigning = _assigning(machine, info)
+    if assigning != NONE:
+        rules[ASSIGN] = Tuple((assigning, Tuple(tuple(map(Const, info.keys.values())))))
     return rules
+
+
+def _assigning(machine: Engine, info: Info) -> Value:
+    """The functions by which a class says itself how an object of it is assigned to another; NONE where it has none."""
+    program = linked(machine)
+    found = [s for s in program.symbols.at(info.scope, "operator=") if _takes_itself(info, s)]
+    return program.value_of(machine, names.Found(tuple(found), info.env, info), ()) if found else NONE
+
+
+def _takes_itself(info: Info, symbol: Symbol) -> bool:
+    first = symbol.parameters[0].type if symbol.kind is SymbolKind.FUNCTION and len(symbol.parameters) == 1 else None
+    return first is not None and first.names[-1:] == (info.symbol.name,) and "default" not in symbol.marks
+
+
+def _is_copied(machine: Engine, base: Value) -> bool:
+    """Whether a class says how it, or a base of it, is copied."""
+    obj = machine.own(base.address) if isinstance(base, Class) else None
+    return obj is not None and obj.attrs.get(COPY, NONE) != NONE
 
 
 def copies(machine: Engine, info: Info) -> bool:

@@ -31,7 +31,7 @@ from rosward.engine.cpp.constructors import (
 )
 from rosward.engine.cpp.converting import as_wanted, buffer, by_operator, cast, decayed, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
-from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.linked import Info, linked, record
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.overloading import choose
 from rosward.engine.cpp.thunks import evaluate
@@ -42,7 +42,7 @@ from rosward.ir.cpp import Form
 from rosward.ir.symbols import Symbol
 from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.conversions import default_value
-from rosward.models.cpp.copies import copied
+from rosward.models.cpp.copies import COPY, copied
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.typed import MESSAGE, typed
 from rosward.models.cpp.types import Shape, shape_of
@@ -52,9 +52,12 @@ if TYPE_CHECKING:
 
 __all__ = [
     "DESIGNATED",
+    "as_one",
     "construct_in_place",
     "convert",
     "field_default",
+    "is_of_another",
+    "is_one",
     "is_type",
     "make",
     "make_of_anything",
@@ -123,9 +126,20 @@ def _message(machine: Engine, type_: Value, args: Sequence[Value]) -> Value:
             return copied(machine, option)
         if isinstance(option, Unknown):
             return typed(machine, option, type_, MESSAGE)
+        if isinstance(option, Ref) and _derives(machine.obj(option).cls, type_):
+            return _message_in(machine, option, type_)
         return machine.allocate(Obj("instance", type_), "message")
 
     return lift(one, read(machine, args[0]))
+
+
+def _message_in(machine: Engine, ref: Ref, type_: Value) -> Value:
+    """The message that an object is part of, of a class that derives from it."""
+    obj = machine.obj(ref)
+    infos = [linked(machine).info(cls) for cls in obj.cls.mro] if isinstance(obj.cls, Class) else []
+    own = {key for info in infos if info is not None for key in info.keys.values()}
+    fields = {name: copied(machine, value) for name, value in obj.attrs.items() if name not in own}
+    return machine.allocate(Obj("instance", type_, fields, partial=obj.partial), "message")
 
 
 def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) -> Value:
@@ -140,8 +154,9 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         return of_functions
     if info.open:
         cls, info = _closed(machine, cls, info, args)
-    if len(args) == 1 and _is_one(machine, args[0], cls) and not copies(machine, info):
-        if all(isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))):
+    if len(args) == 1 and is_one(machine, args[0], cls) and not copies(machine, info):
+        plain = COPY not in record(machine, cls.address).attrs
+        if plain and all(isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))):
             return copied(machine, args[0])
         ref = machine.allocate(Obj("instance", cls), "object")
         _take_over(machine, ref, cls, args[0])
@@ -193,7 +208,7 @@ def _closed(machine: Engine, cls: Class, info: Info, args: tuple[Value, ...]) ->
     return cls, info
 
 
-def _is_one(machine: Engine, value: Value, cls: Class) -> bool:
+def is_one(machine: Engine, value: Value, cls: Class) -> bool:
     """Whether a value is an object of a class, or of one that derives from it."""
     found = options(read(machine, value))
     return all(isinstance(o, Ref) and isinstance(c := machine.obj(o).cls, Class) and cls in c.mro for o in found)
@@ -213,7 +228,7 @@ def _as_class(machine: Engine, ref: Ref, cls: Class) -> Iterator[None]:
 def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
     """Run the constructor of a class on an object; False where it never ends."""
     assert info.cls is not None
-    if len(args) == 1 and _is_one(machine, args[0], info.cls) and not copies(machine, info):
+    if len(args) == 1 and is_one(machine, args[0], info.cls) and not copies(machine, info):
         _take_over(machine, ref, info.cls, args[0])
         return True
     with _as_class(machine, ref, info.cls):
@@ -236,8 +251,17 @@ def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value,
 
 def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
     """What a copy constructor that nobody writes does: the fields of the class and its bases become those of an object that may have more."""
+    apart: set[Value] = set()
+    whole = linked(machine).info(cls)
+    for base in linked(machine).bases_to_make(ref, whole) if whole is not None else ():
+        inner = linked(machine).info(base)
+        if inner is not None and isinstance(base, Class) and COPY in record(machine, base.address).attrs:
+            construct_in_place(machine, ref, inner, (source,))
+            apart.update(base.mro)
     objects = [machine.obj(o) for o in options(read(machine, source)) if isinstance(o, Ref)]
     for each in cls.mro:
+        if each in apart:
+            continue
         own = linked(machine).info(each)
         for symbol in own.fields if own is not None else ():
             key = own.keys.get(symbol.name, symbol.name) if own is not None else symbol.name
@@ -334,6 +358,10 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
     held = read(machine, value)
     if kind == "buffer":
         return buffer(value, held)
+    if kind == "value":
+        kind = "init"
+        if is_of_another(machine, held, type_):
+            held = lift(lambda o: as_one(machine, o, type_) if is_of_another(machine, o, type_) else o, held)
     target = pointee(type_)
     if kind == "dynamic" or (target is not None and isinstance(target, Class)):
         return cast(machine, held, target if target is not None else type_, kind)
@@ -345,12 +373,32 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
         return convert_plain(machine, lift(lambda v: by_operator(machine, v, type_), held), type_, kind)
     found: list[Value] = []
     for option in options(held):
-        if _is_one(machine, option, type_) or isinstance(option, Unknown) or kind != "init":
+        if is_one(machine, option, type_) or isinstance(option, Unknown) or kind != "init":
             found.append(option)
         else:
             found.append(_converted(machine, option, type_))
 
     return join_all(found)
+
+
+def is_of_another(machine: Engine, value: Value, type_: Value) -> bool:
+    """Whether a value may be an object of a class that derives from a type."""
+    held = read(machine, value) if isinstance(type_, Class) or is_message(type_) else UNBOUND
+    return any(isinstance(o, Ref) and _derives(machine.obj(o).cls, type_) for o in options(held))
+
+
+def _derives(cls: Value, type_: Value) -> bool:
+    return isinstance(cls, Class) and cls != type_ and type_ in cls.mro
+
+
+def as_one(machine: Engine, value: Value, type_: Value) -> Value:
+    """A value of its own of a type: of an object of a class that derives from it, what belongs to the type."""
+
+    def one(option: Value) -> Value:
+        sliced = isinstance(option, Ref) and _derives(machine.obj(option).cls, type_)
+        return make(machine, type_, (option,), "copy") if sliced else copied(machine, option)
+
+    return lift(one, read(machine, value))
 
 
 def _message_of(machine: Engine, value: Value, type_: Value) -> Value:

@@ -35,7 +35,20 @@ class Info:
     its bases, too.
     """
 
-    __slots__ = ("around", "bindings", "cls", "env", "fields", "keys", "open", "outer", "scope", "symbol", "types", "virtual")
+    __slots__ = (
+        "around",
+        "bindings",
+        "cls",
+        "env",
+        "fields",
+        "keys",
+        "open",
+        "outer",
+        "scope",
+        "symbol",
+        "types",
+        "virtual",
+    )
 
     def __init__(
         self,

@@ -17,6 +17,7 @@ from rosward.domain.values import UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.engine.cpp import assumed_nodes, names
 from rosward.engine.cpp.handing import is_foreign
 from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.types import is_message
 from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.slots import read
@@ -128,6 +129,8 @@ def is_virtual(machine: Engine, info: Info, name: str) -> bool:
 def _from_outside(machine: Engine, owner: Ref, cls: Value, name: str, types: tuple[Value, ...]) -> Value:
     """What no class of the program has, a base from elsewhere may: a native, with the object, where there is one."""
     outside = [b for b in cls.mro if not isinstance(b, Class)] if isinstance(cls, Class) else []
+    if any(map(is_message, outside)):
+        return Slot(owner, "field", name)
     libraries = [External(f"{b.name}.{name}") for b in outside if isinstance(b, (External, TypeOf))]
     for function in libraries:
         if machine.library.native(function.name) is not None:

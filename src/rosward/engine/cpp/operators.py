@@ -18,13 +18,13 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.engine.cpp import calls, construct, members, names
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
-from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.linked import linked, record
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
-from rosward.models.cpp.copies import copied, write
+from rosward.models.cpp.copies import ASSIGN, copied, write
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import name_of
 
@@ -128,7 +128,7 @@ def truth(machine: Engine, value: Value) -> bool | None:
 
 def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     """`slot operator src`; the slot, or UNBOUND where it never ends."""
-    own = _own(machine, operator, (slot, src)) if operator != "=" or not _same_class(machine, slot) else None
+    own = _own(machine, operator, (slot, src)) if operator != "=" or _says_itself(machine, slot, src) else None
     if own is not None:
         return own if own is UNBOUND else slot
     if operator != "=":
@@ -155,12 +155,12 @@ def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:
     return done if done is UNBOUND else slot if prefix else before
 
 
-def _same_class(machine: Engine, slot: Value) -> bool:
-    """Whether an object is assigned to another one of its class, which has no `operator=` of its own."""
-    if not isinstance(slot, Ref):
-        return True
-    info = linked(machine).info(machine.obj(slot).cls)
-    return info is None or names.in_class(machine, info, "operator=") is None
+def _says_itself(machine: Engine, slot: Value, src: Value) -> bool:
+    """Whether the class of an object says itself what is assigned to it: that of its bases assigns to their part alone."""
+    info = linked(machine).info(machine.obj(slot).cls) if isinstance(slot, Ref) else None
+    if info is None or info.cls is None or not linked(machine).symbols.at(info.scope, "operator="):
+        return False
+    return ASSIGN in record(machine, info.cls.address).attrs or not construct.is_one(machine, src, info.cls)
 
 
 def _object(machine: Engine, ref: Ref, src: Value) -> Value:

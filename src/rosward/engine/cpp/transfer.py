@@ -117,7 +117,12 @@ def _step(machine: Engine, op: cpp.Step, frame: Frame) -> bool | None:
 def _copy(machine: Engine, op: cpp.Copy, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     value = frame.registers[op.src]
-    return _kept(frame, op.dst, value if value is UNBOUND else copied(machine, value)) if value is not UNBOUND else None
+    if value is UNBOUND:
+        return None
+    of_type = op.type != ops.NO_REGISTER and construct.is_of_another(machine, value, frame.registers[op.type])
+    return _kept(
+        frame, op.dst, construct.as_one(machine, value, frame.registers[op.type]) if of_type else copied(machine, value)
+    )
 
 
 def _convert(machine: Engine, op: cpp.Convert, frame: Frame) -> bool | None:

@@ -100,7 +100,9 @@ def _bounds(call: NativeCall, ref: Ref) -> tuple[Value, Value] | None:
     same = [same_key(machine, cls, other, key) for other in keys]
     if None in same:
         return None
-    start = sum(not alike and in_order(machine, [other, key], cls) == [0, 1] for other, alike in zip(keys, same, strict=True))
+    start = sum(
+        not alike and in_order(machine, [other, key], cls) == [0, 1] for other, alike in zip(keys, same, strict=True)
+    )
     stop = start + sum(map(bool, same))
     size = len(keys)
     return iterator(ref, Const(start) if start < size else NONE), iterator(ref, Const(stop) if stop < size else NONE)

@@ -7,7 +7,7 @@ std::set<std::string>{name, "b"}            any number of `name` and 'b', where 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any, Final
 
 from rosward.domain.choice import join_all, lift, options

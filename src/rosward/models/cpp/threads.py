@@ -13,7 +13,7 @@ from typing import Final
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Value
+from rosward.domain.values import FALSE, NONE, TRUE, Const, Ref, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import copied, write
