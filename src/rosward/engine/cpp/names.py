@@ -23,7 +23,7 @@ from rosward.records import NamedTuple
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["Found", "Part", "in_class", "in_namespace", "outer_of", "resolve", "unqualified"]
+__all__ = ["Found", "Part", "in_class", "in_namespace", "outer_of", "resolve", "seeing", "unqualified"]
 
 _SOURCES: Final = (".cpp", ".cc", ".cxx", ".C", ".c++")
 _DEPTH: Final = 30
@@ -165,6 +165,11 @@ def in_namespace(machine: Engine, scope: Scope, name: str, file: str, depth: int
                 if found is not None:
                     return found
     return None
+
+
+def seeing(machine: Engine) -> str:
+    """The file of the code that runs: what a source keeps to itself is seen from there."""
+    return machine.frames[-1].code.file if machine.frames else ""
 
 
 def _used(machine: Engine, scope: Scope, used: Symbol) -> Scope | None:

@@ -20,6 +20,7 @@ from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
 from rosward.engine.cpp.linked import linked, record
 from rosward.engine.cpp.natives import run_native
+from rosward.engine.cpp.overloading import fitting
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
@@ -39,18 +40,34 @@ def _own(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
     first = read(machine, args[0])
     if not any(_is_object(machine, a) for a in args):
         return _of_enumeration(machine, operator, args)
-    if _is_object(machine, first):
-        found = members.member(machine, first, f"operator{operator}") if isinstance(first, Ref) else None
-        if isinstance(found, Overloads):
-            return calls.invoke(machine, found, tuple(args[1:]))
+    found = members.member(machine, first, f"operator{operator}") if _is_object(machine, first) else None
+    own = found if isinstance(found, Overloads) else None
+    if own is not None and (len(own.functions) > 1 or len(args) > 1) and not fitting(machine, own.functions, args[1:]):
+        free = _free(machine, operator, args)
+        if free is not None and fitting(machine, free.functions, args):
+            return calls.invoke(machine, free, tuple(args))
+    if own is not None:
+        return calls.invoke(machine, own, tuple(args[1:]))
+    free = _free(machine, operator, args)
+    return None if free is None else calls.invoke(machine, free, tuple(args))
+
+
+def _free(machine: Engine, operator: str, args: Sequence[Value]) -> Overloads | None:
+    """The operators of the namespaces of the operands: the first that has some that take them, else the first that has any."""
+    several: list[Overloads] = []
     for arg in args:
         cls = type_of(machine, arg)
         for each in cls.mro if isinstance(cls, Class) else ():
             info = linked(machine).info(each)
-            found_in = names.in_namespace(machine, info.symbol.scope, f"operator{operator}", "") if info else None
-            if found_in is not None:
-                return calls.invoke(machine, overloads(machine, found_in, ()), tuple(args))
-    return None
+            scope = info.symbol.scope if info is not None else None
+            if scope is None:
+                continue
+            found = names.in_namespace(machine, scope, f"operator{operator}", names.seeing(machine))
+            if found is not None:
+                several.append(overloads(machine, found, ()))
+    if len(several) > 1:
+        several = [each for each in several if fitting(machine, each.functions, args)] or several
+    return several[0] if several else None
 
 
 def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
@@ -58,7 +75,7 @@ def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Va
     for arg in args:
         enumeration = enumeration_of(read(machine, arg))
         scope = scope_of(enumeration)
-        found = names.in_namespace(machine, scope, f"operator{operator}", "") if enumeration else None
+        found = names.in_namespace(machine, scope, f"operator{operator}", names.seeing(machine)) if enumeration else None
         if found is None:
             continue
         several = overloads(machine, found, ())

@@ -28,7 +28,7 @@ from rosward.models.cpp.traits import NO_TYPE
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["choose", "fit", "of_constness"]
+__all__ = ["choose", "fit", "fitting", "of_constness"]
 
 _EXACT: Final = 5
 _NEAR: Final = 4
@@ -61,6 +61,13 @@ def choose(
     if len(set(map(_is_template, best))) > 1:  # one takes a weak pointer, the other anything
         return [f for f in best if not f.code.is_stub] or best
     return best if any(isinstance(o, Unknown) for v in values for o in options(v)) else _versions(machine, best)
+
+
+def fitting(machine: Engine, functions: Sequence[Function], args: Sequence[Value]) -> list[Function]:
+    """Those that may be called with arguments of which something is known."""
+    values = [read(machine, a) for a in args]
+    by_number = [f for f in functions if _takes(f.code.signature, len(args), 0)]
+    return [f for f in by_number if _score(machine, f, values, ()) is not None]
 
 
 def of_constness(several: Overloads, *, constant: bool) -> Overloads:
@@ -276,8 +283,10 @@ def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value
         return _characters(machine, value, type_, name, target)
     words = set(name.replace("std.", "").split())
     if own == STRING:
-        if name in _TEXTS or (target is not None and dotted(target) == "char"):
+        if name in _TEXTS:
             return _EXACT
+        if target is not None and dotted(target) == "char":
+            return _NEAR if isinstance(value, Const) else _EXACT
         if words & _INTEGERS:
             return _CONVERTED if isinstance(value, Const) and len(str(value.value)) == 1 else _NEVER
     elif own in (TypeOf("int", ()), TypeOf("bool", ()), TypeOf("double", ())):
