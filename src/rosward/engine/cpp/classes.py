@@ -164,18 +164,29 @@ def instance_of(
         if member.kind is SymbolKind.VARIABLE and not member.static:
             fields.setdefault(member.name or member.key, member)  # one of several that the preprocessor chooses from
     info.fields = tuple(fields.values())
+    for name, several in program.symbols.of_instances(symbol.inner).items() if types else ():
+        own = [s for s in several if _is_for(machine, s, env, types)]
+        if own:
+            info.special[name] = own
     inherited = [i for b in cls.mro[1:] if (i := program.info(b)) is not None]
     above = [v for b in bases if (i := program.info(b)) is not None for v in i.virtual]
     info.virtual = tuple(dict.fromkeys((*above, *(base for base, virtual in marked if virtual))))
     taken = {key for i in inherited for key in i.keys.values()}
     for i in reversed(inherited):
         info.keys.update(i.keys)
+    info.shares = any(f.overlaps for f in info.fields) or any(i.shares for i in inherited)
     info.keys.update((f.name, f"{f.name} of {name}" if f.name in taken else f.name) for f in info.fields)
     if machine.own(address) is None:
         machine.put(address, Obj("class", cls, _rules(machine, info, cls)))
     if not stub:
         machine.log.defined(cls)
     return cls
+
+
+def _is_for(machine: Engine, symbol: Symbol, env: ModuleValue, types: tuple[Value, ...]) -> bool:
+    """Whether a member is one of the instance with these arguments."""
+    env = ModuleValue(env.address, env.name, symbol.place.file)
+    return tuple(type_of_pattern(machine, env, pattern) for pattern in symbol.instance) == flat(types)
 
 
 def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:

@@ -42,7 +42,8 @@ from rosward.ir.cpp import Form
 from rosward.ir.symbols import Symbol
 from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.conversions import default_value
-from rosward.models.cpp.copies import COPY, copied
+from rosward.models.cpp.copies import COPY, copied, take_member
+from rosward.models.cpp.exceptions import may_raise, raises
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.typed import MESSAGE, typed
 from rosward.models.cpp.types import Shape, shape_of
@@ -304,7 +305,10 @@ def initialise(
             assert own.cls is not None
             if not construct_in_place(machine, ref, own, inner):
                 return False
+    chosen = False  # of the members of a union, the first is given
     for symbol in info.fields:
+        if chosen and symbol.overlaps:
+            continue
         if symbol.name in named:
             value: Value | None = _field_of(machine, info, symbol, named[symbol.name])
         elif given:
@@ -317,6 +321,9 @@ def initialise(
             return False
         if value is not None:
             set_field(machine, ref, info, symbol.name, value)
+            if symbol.overlaps and args:
+                chosen = True
+                take_member(machine, ref, info.keys[symbol.name])
     return True
 
 
@@ -364,7 +371,8 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
             held = lift(lambda o: as_one(machine, o, type_) if is_of_another(machine, o, type_) else o, held)
     target = pointee(type_)
     if kind == "dynamic" or (target is not None and isinstance(target, Class)):
-        return cast(machine, held, target if target is not None else type_, kind)
+        found = cast(machine, held, target if target is not None else type_, kind)
+        return found if kind != "dynamic" or target is not None else _of_reference(machine, found)
     if not isinstance(type_, Class):
         if isinstance(type_, Unknown) or is_message(type_):
             return _message_of(machine, held, type_)
@@ -379,6 +387,16 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
             found.append(_converted(machine, option, type_))
 
     return join_all(found)
+
+
+def _of_reference(machine: Engine, found: Value) -> Value:
+    """What `dynamic_cast<T &>(x)` gives, or throws."""
+    left = [option for option in options(found) if option != NONE]
+    if not left:
+        return raises(machine, "bad_cast", "std::bad_cast")
+    if len(left) < len(options(found)):
+        may_raise(machine, "bad_cast", "std::bad_cast")
+    return join_all(left)
 
 
 def is_of_another(machine: Engine, value: Value, type_: Value) -> bool:

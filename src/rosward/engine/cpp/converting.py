@@ -67,7 +67,8 @@ def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
 
 
 def cast(machine: Engine, value: Value, target: Value, kind: str) -> Value:
-    """A pointer or reference to another class of the same object; `dynamic_cast` gives null where the object is none of that class."""
+    """A pointer or reference to another class of the same object; `dynamic_cast` gives null where the object is none of that class,
+    of a reference as well: nothing goes on there."""
     if kind != "dynamic":
         return value
     kept: list[Value] = []
@@ -81,7 +82,7 @@ def cast(machine: Engine, value: Value, target: Value, kind: str) -> Value:
         elif known and isinstance(target, Class):
             kept.append(NONE)
         else:
-            kept += [option, NONE] if isinstance(option, Pointer) else [option]
+            kept += [option, NONE]
     return join_all(kept)
 
 

@@ -31,7 +31,8 @@ class Info:
     """A class at run time: its symbol, the scope of its members, what its template parameters stand for, its bases and fields.
 
     `keys` says under which name each field stands in an object: two fields of one name in a class and its base are two.
-    `around`: names of the function that declares it. `open`: a template of which the arguments are not known yet (they follow from a constructor). `virtual`: its virtual bases, those of
+    `around`: names of the function that declares it. `special`: members of this instance of a template alone. `shares`: it is, or has in it, a
+    union. `open`: a template of which the arguments are not known yet (they follow from a constructor). `virtual`: its virtual bases, those of
     its bases, too.
     """
 
@@ -45,6 +46,8 @@ class Info:
         "open",
         "outer",
         "scope",
+        "shares",
+        "special",
         "symbol",
         "types",
         "virtual",
@@ -66,6 +69,8 @@ class Info:
         self.types = types
         self.bindings = bindings
         self.around: dict[str, Value] = {}
+        self.shares = False
+        self.special: dict[str, list[Symbol]] = {}
         self.open = False
         self.fields: tuple[Symbol, ...] = ()
         self.keys: dict[str, str] = {}

@@ -20,6 +20,7 @@ from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.types import is_message
 from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.ir.symbols import SymbolKind
+from rosward.models.cpp.copies import take_member
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def member(
         seen = lexical
     key = seen.keys.get(name, info.keys.get(name))
     if key is not None:
-        return _field(machine, owner, key)
+        return _field(machine, owner, key, shares=info.shares)
     found = names.in_class(machine, seen, name)
     if (
         found is not None
@@ -108,8 +109,10 @@ def designated(machine: Engine, value: Partial, args: tuple[Value, ...]) -> Valu
     return members(machine, objects, str(name.value) if isinstance(name, Const) else "")
 
 
-def _field(machine: Engine, owner: Ref, key: str) -> Value:
+def _field(machine: Engine, owner: Ref, key: str, *, shares: bool) -> Value:
     """The slot of a field; an object that stands there itself; where a reference leads."""
+    if shares:
+        take_member(machine, owner, key)
     held = machine.obj(owner).attrs.get(key, UNBOUND)
     if held is not UNBOUND and all(isinstance(o, (Ref, Slot)) for o in options(held)):
         return held

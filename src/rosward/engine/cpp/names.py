@@ -135,7 +135,9 @@ def in_class(machine: Engine, info: Info, name: str) -> Found | None:
         own = program.info(each)
         if own is None:
             continue
-        symbols = [s for s in program.symbols.at(own.scope, name) if not _names_constructors(s)]
+        symbols = own.special.get(name) or [
+            s for s in program.symbols.at(own.scope, name) if not _names_constructors(s)
+        ]
         if symbols:
             return Found(tuple(symbols), own.env, own)
         if name in own.bindings:

@@ -75,7 +75,9 @@ def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Va
     for arg in args:
         enumeration = enumeration_of(read(machine, arg))
         scope = scope_of(enumeration)
-        found = names.in_namespace(machine, scope, f"operator{operator}", names.seeing(machine)) if enumeration else None
+        found = (
+            names.in_namespace(machine, scope, f"operator{operator}", names.seeing(machine)) if enumeration else None
+        )
         if found is None:
             continue
         several = overloads(machine, found, ())

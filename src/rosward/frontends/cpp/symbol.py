@@ -257,6 +257,13 @@ class CppSymbol:
         node = self.declared.arguments
         return None if node is None else arguments(node)
 
+    @property
+    def instance(self) -> tuple[TypePattern, ...]:
+        """Of a member of a single instance of a template, what that is made of."""
+        before = self.declared.before
+        node = before[-1].arguments if before else None
+        return () if node is None else arguments(node)
+
     # Code
 
     @cached_property
@@ -265,7 +272,8 @@ class CppSymbol:
         if self.kind is SymbolKind.FUNCTION:
             return lower.lower_body(self.written, self.signature) if self.defined else None
         if self.kind in {SymbolKind.VARIABLE, SymbolKind.ENUMERATOR}:
-            return lower.lower_initial(self.written, self.template or ())
+            own = lower.lower_initial(self.written, self.template or ())
+            return own or next((code for other in self.others if (code := other.code) is not None), None)
         if self.kind is SymbolKind.ALIAS or (self.kind is SymbolKind.USING and self.owner is not None):
             return lower.lower_target(self.written, self.template or ())
         return None
