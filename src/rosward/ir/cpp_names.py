@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal, final
 
 from rosward.ir.core import NO_REGISTER
-from rosward.ir.op import Op
+from rosward.ir.op import Block, Op
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -82,9 +82,9 @@ class CellSlot(Op):
 
 @final
 class Member(Op):
-    """dst = obj.name, or its slot; `obj` is a slot. `arguments`: those of a template (`obj.template f<T>`)."""
+    """dst = obj.name, or its slot; `obj` is a slot. `arguments`: those of a template (`obj.template f<T>`). `seen`, `static` as for `InvokeMember`."""
 
-    __slots__ = ("arguments", "dst", "name", "obj", "slot")
+    __slots__ = ("arguments", "dst", "name", "obj", "seen", "slot", "static")
 
     def __init__(
         self,
@@ -96,6 +96,8 @@ class Member(Op):
         *,
         arguments: tuple[int, ...] | None = None,
         slot: bool = False,
+        seen: Block | None = None,
+        static: int = NO_REGISTER,
     ) -> None:
         super().__init__(line, column)
         self.dst = dst
@@ -103,6 +105,13 @@ class Member(Op):
         self.name = name
         self.arguments = arguments
         self.slot = slot
+        self.seen: Block = seen if seen is not None else []
+        self.static = static
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks that it holds, in the order in which they stand."""
+        return (self.seen,) if self.seen else ()
 
 
 @final

@@ -174,6 +174,12 @@ def instance_of(
     taken = {key for i in inherited for key in i.keys.values()}
     for i in reversed(inherited):
         info.keys.update(i.keys)
+    if inherited:
+        named = [f.name for i in (info, *inherited) for f in i.fields]
+        info.hidden = frozenset(name for name in named if named.count(name) > 1)
+    if len(inherited) > 1:
+        info.clashing = _clashing(inherited)
+        info.doubled = _doubled(machine, bases, inherited)
     info.shares = any(f.overlaps for f in info.fields) or any(i.shares for i in inherited)
     info.keys.update((f.name, f"{f.name} of {name}" if f.name in taken else f.name) for f in info.fields)
     if machine.own(address) is None:
@@ -181,6 +187,21 @@ def instance_of(
     if not stub:
         machine.log.defined(cls)
     return cls
+
+
+def _clashing(inherited: list[Info]) -> frozenset[str]:
+    """The fields that several of the bases have under one name."""
+    found = [i.keys[f.name] for i in inherited for f in i.fields]
+    return frozenset(key for key in found if found.count(key) > 1)
+
+
+def _doubled(machine: Engine, bases: tuple[Value, ...], inherited: list[Info]) -> frozenset[str]:
+    """The fields of a base that is there several times, since it is no virtual one: of these an object has several."""
+    program = linked(machine)
+    virtual = {base for i in inherited for base in i.virtual}
+    above = [cls for base in bases if isinstance(base, Class) for cls in base.mro if cls not in virtual]
+    twice = [i for cls in dict.fromkeys(above) if above.count(cls) > 1 and (i := program.info(cls)) is not None]
+    return frozenset(key for i in (*inherited, *twice) for key in (i.doubled if i not in twice else i.keys.values()))
 
 
 def _is_for(machine: Engine, symbol: Symbol, env: ModuleValue, types: tuple[Value, ...]) -> bool:

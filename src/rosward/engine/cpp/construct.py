@@ -24,6 +24,7 @@ from rosward.engine.cpp.classes import copies
 from rosward.engine.cpp.constructors import (
     constructors,
     inherited_constructors,
+    inheriting,
     is_copying,
     least,
     takes,
@@ -234,18 +235,26 @@ def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value,
         return True
     with _as_class(machine, ref, info.cls):
         functions = [function_of(machine, s, info.env) for s in constructors(machine, info)]
-        inherited = inherited_constructors(machine, info) if args else None
-        if inherited is not None and not any(takes(f, len(args)) for f in functions):
-            return initialise(machine, ref, info, (), {inherited.env.address: args})
-        if not functions:
+        bases = inheriting(machine, info) if args else []
+        inherited = inherited_constructors(machine, bases)
+        if bases and not any(takes(f, len(args)) for f in (*functions, *inherited)):
+            return initialise(machine, ref, info, (), {bases[0].env.address: args})
+        if not functions and not inherited:
             return initialise(machine, ref, info, args, {})
-        chosen = choose(machine, functions, args, ())
+        chosen = choose(machine, [*functions, *inherited], args, ())
+
+        def run(function: Function) -> bool:
+            base = inherited.get(function)
+            if base is not None:
+                return initialise(machine, ref, info, (), {base.env.address: args})
+            return _run(machine, function, ref, info, args)
+
         if len(chosen) == 1:
-            return _run(machine, chosen[0], ref, info, args)
+            return run(chosen[0])
 
         def one(function: Value) -> Value:
             assert isinstance(function, Function)
-            return NONE if _run(machine, function, ref, info, args) else UNBOUND
+            return NONE if run(function) else UNBOUND
 
         return each_apart(machine, list(chosen), one) is not UNBOUND
 
@@ -259,17 +268,19 @@ def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
         if inner is not None and isinstance(base, Class) and COPY in record(machine, base.address).attrs:
             construct_in_place(machine, ref, inner, (source,))
             apart.update(base.mro)
-    objects = [machine.obj(o) for o in options(read(machine, source)) if isinstance(o, Ref)]
+    objects = [(o, machine.obj(o)) for o in options(read(machine, source)) if isinstance(o, Ref)]
     for each in cls.mro:
         if each in apart:
             continue
         own = linked(machine).info(each)
-        for symbol in own.fields if own is not None else ():
-            key = own.keys.get(symbol.name, symbol.name) if own is not None else symbol.name
-            values = [obj.attrs[key] for obj in objects if key in obj.attrs]
+        if own is None:
+            continue
+        for symbol in own.fields:
+            keys = [(obj, linked(machine).key_in(machine, o, own, symbol.name)) for o, obj in objects]
+            values = [obj.attrs[key] for obj, key in keys if key is not None and key in obj.attrs]
             if values:
                 value = join_all(values) if symbol.reference else copied(machine, join_all(values))
-                machine.update(ref, machine.obj(ref).with_attr(key, value))
+                set_field(machine, ref, own, symbol.name, value)
 
 
 def _run(machine: Engine, function: Function, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
@@ -357,7 +368,8 @@ def _first_of_field(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Va
 
 def set_field(machine: Engine, ref: Ref, info: Info, name: str, value: Value) -> None:
     """The first value of a field."""
-    machine.update(ref, machine.obj(ref).with_attr(info.keys.get(name, name), value))
+    key = linked(machine).key_in(machine, ref, info, name) or name
+    machine.update(ref, machine.obj(ref).with_attr(key, value))
 
 
 def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:

@@ -31,7 +31,9 @@ class Info:
     """A class at run time: its symbol, the scope of its members, what its template parameters stand for, its bases and fields.
 
     `keys` says under which name each field stands in an object: two fields of one name in a class and its base are two.
-    `around`: names of the function that declares it. `special`: members of this instance of a template alone. `shares`: it is, or has in it, a
+    `around`: names of the function that declares it. `clashing`: fields
+    that several of its bases have under one name; `doubled`: those of a base that is there several times;
+    `hidden`: those of which several are seen under one name from somewhere. `special`: members of this instance of a template alone. `shares`: it is, or has in it, a
     union. `open`: a template of which the arguments are not known yet (they follow from a constructor). `virtual`: its virtual bases, those of
     its bases, too.
     """
@@ -39,9 +41,12 @@ class Info:
     __slots__ = (
         "around",
         "bindings",
+        "clashing",
         "cls",
+        "doubled",
         "env",
         "fields",
+        "hidden",
         "keys",
         "open",
         "outer",
@@ -70,6 +75,9 @@ class Info:
         self.bindings = bindings
         self.around: dict[str, Value] = {}
         self.shares = False
+        self.clashing = frozenset[str]()
+        self.doubled = frozenset[str]()
+        self.hidden = frozenset[str]()
         self.special: dict[str, list[Symbol]] = {}
         self.open = False
         self.fields: tuple[Symbol, ...] = ()
@@ -151,6 +159,18 @@ class Linked:
             if address == ref.address:
                 return cls
         return machine.obj(ref).cls
+
+    def key_in(self, machine: Engine, ref: Ref, seen: Info, name: str) -> str | None:
+        """Under which name an object has a field, as a class of it sees it; None where it has no such field."""
+        key = seen.keys.get(name)
+        whole = self.info(machine.obj(ref).cls) if key is not None else None
+        if key is None or whole is None or key not in whole.clashing:
+            return key
+        for cls in seen.cls.mro if seen.cls is not None else ():
+            own = self.info(cls)
+            if own is not None and any(f.name == name for f in own.fields):
+                return f"{key} of {own.env.name}"
+        return key
 
     def bases_to_make(self, ref: Ref, info: Info) -> tuple[Value, ...]:
         """The bases that a constructor makes of an object: virtual ones first, but only where the object is of no further class."""

@@ -55,9 +55,9 @@ def member(
     seen = info
     if lexical is not None and lexical.cls is not None and isinstance(cls, Class) and lexical.cls in cls.mro:
         seen = lexical
-    key = seen.keys.get(name, info.keys.get(name))
+    key = program.key_in(machine, owner, seen, name) or program.key_in(machine, owner, info, name)
     if key is not None:
-        return _field(machine, owner, key, shares=info.shares)
+        return _field(machine, owner, key, info)
     found = names.in_class(machine, seen, name)
     if (
         found is not None
@@ -109,9 +109,11 @@ def designated(machine: Engine, value: Partial, args: tuple[Value, ...]) -> Valu
     return members(machine, objects, str(name.value) if isinstance(name, Const) else "")
 
 
-def _field(machine: Engine, owner: Ref, key: str, *, shares: bool) -> Value:
+def _field(machine: Engine, owner: Ref, key: str, info: Info) -> Value:
     """The slot of a field; an object that stands there itself; where a reference leads."""
-    if shares:
+    if key in info.doubled:
+        return machine.unknown(Cause.OPERATION, f"field `{key}` of several bases")
+    if info.shares:
         take_member(machine, owner, key)
     held = machine.obj(owner).attrs.get(key, UNBOUND)
     if held is not UNBOUND and all(isinstance(o, (Ref, Slot)) for o in options(held)):

@@ -72,7 +72,12 @@ def _cell_slot(machine: Engine, op: cpp.CellSlot, frame: Frame) -> None:
 def _member(machine: Engine, op: cpp.Member, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     types = access.types_of(frame, op.arguments)
-    found = access.member(machine, frame, frame.registers[op.obj], op.name, types, own=op.obj == 0)
+
+    def declared() -> Value:
+        return frame.registers[op.static] if machine.run(op.seen, frame) else UNBOUND
+
+    seen = declared if op.seen else None
+    found = access.member(machine, frame, frame.registers[op.obj], op.name, types, own=op.obj == 0, declared=seen)
     return _kept(frame, op.dst, found if op.slot else access.value(machine, found))
 
 

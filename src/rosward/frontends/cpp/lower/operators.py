@@ -11,6 +11,7 @@ from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import last_part, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.narrowing import COMPARE, condition, conjunction, split
+from rosward.frontends.cpp.lower.seen import seen_scope
 from rosward.frontends.cpp.lower.survey import operator_of, through_member, word
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
@@ -287,8 +288,11 @@ def _field(body: Body, node: Node, want: Want) -> int:
     obj = target(body, node)
     text, arguments = written.parts[-1] if written is not None else last_part(field)
     given = None if arguments is None else template_arguments(body, arguments)
+    argument = node.child_by_field_name("argument")
+    seen, static = seen_scope(body, field, argument, written)
     dst = body.register()
-    body.emit(Member(*body.place(field), dst, obj, text, arguments=given, slot=want in ("slot", "own")))
+    slot = want in ("slot", "own")
+    body.emit(Member(*body.place(field), dst, obj, text, arguments=given, slot=slot, seen=seen, static=static))
     return body.given(node, dst, "own") if want == "own" else dst
 
 
