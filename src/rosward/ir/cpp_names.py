@@ -116,12 +116,15 @@ class Member(Op):
 
 @final
 class Item(Op):
-    """dst = obj[index], or its slot; `obj` is a slot."""
+    """dst = obj[index], or its slot; `obj` is a slot. `constant` as for `InvokeMember`."""
 
-    __slots__ = ("dst", "index", "obj", "slot")
+    __slots__ = ("constant", "dst", "index", "obj", "slot")
 
-    def __init__(self, line: int, column: int, dst: int, obj: int, index: int, *, slot: bool = False) -> None:
+    def __init__(
+        self, line: int, column: int, dst: int, obj: int, index: int, *, slot: bool = False, constant: bool = False
+    ) -> None:
         super().__init__(line, column)
+        self.constant = constant
         self.dst = dst
         self.obj = obj
         self.index = index

@@ -14,6 +14,7 @@ from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknow
 from rosward.engine.cpp import calls, members
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.natives import run_native
+from rosward.engine.cpp.overloading import of_constness
 from rosward.engine.cpp.types import pointee
 from rosward.engine.frame import Frame
 from rosward.models.cpp.memory import pointer_to
@@ -85,8 +86,8 @@ def _first(machine: Engine, entry: Slot) -> Value:
     return read(machine, Slot(pair, "field", "first")) if isinstance(pair, Ref) else pair
 
 
-def item(machine: Engine, owner: Value, index: Value) -> Value:
-    """The slot of `owner[index]`."""
+def item(machine: Engine, owner: Value, index: Value, *, constant: bool = False) -> Value:
+    """The slot of `owner[index]`; `constant`: of an object that is so."""
     held = read(machine, owner)
     found: list[Value] = []
     for option in options(held):
@@ -94,6 +95,8 @@ def item(machine: Engine, owner: Value, index: Value) -> Value:
             found.append(_beyond(machine, option, index))
         elif isinstance(option, Ref) and isinstance(machine.obj(option).cls, Class):
             operator = members.member(machine, option, "operator[]")
+            if isinstance(operator, Overloads):
+                operator = of_constness(operator, constant=constant)
             found.append(calls.invoke(machine, operator, (index,)))
         elif isinstance(option, Ref):
             found.append(_element(machine, option, index))

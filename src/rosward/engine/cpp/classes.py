@@ -45,6 +45,8 @@ def class_of(machine: Engine, found: names.Found, types: tuple[Value, ...] | Non
     given = tuple(bindings[p.name] for p in first.template)
     for symbol in sorted((s for s in symbols if s.specialises is not None and s.defined), key=_how_special):
         special = specialised(machine, symbol, found.env, given)
+        if special is not None and _is_qualified(symbol):
+            return machine.unknown(Cause.CALL, f"{symbol.name} of what may be constant, or a reference")
         if special is not None:
             return instance_of(machine, symbol, found.env, given, special)
     made = instance_of(machine, first, found.env, given, bindings)
@@ -52,6 +54,11 @@ def class_of(machine: Engine, found: names.Found, types: tuple[Value, ...] | Non
     if info is not None and types is None:
         info.open = True
     return made
+
+
+def _is_qualified(symbol: Symbol) -> bool:
+    """Whether a specialisation is for references or constants: `Box<T &>`. That is not told of types."""
+    return any((p.reference or p.const) and not p.pointers for p in symbol.specialises or ())
 
 
 def _how_special(symbol: Symbol) -> int:
@@ -99,7 +106,7 @@ def bind_template(
         if parameter.pack:
             rest = types[index:]
             known = deduced.get(parameter.name) if deduced and not rest else None
-            bindings[parameter.name] = known if isinstance(known, Tuple) else Tuple(rest)
+            bindings[parameter.name] = known if isinstance(known, (Tuple, Unknown)) else Tuple(rest)
         elif index < len(types):
             bindings[parameter.name] = types[index]
         elif deduced and parameter.name in deduced:

@@ -83,7 +83,7 @@ def _member(machine: Engine, op: cpp.Member, frame: Frame) -> bool | None:
 
 def _item(machine: Engine, op: cpp.Item, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    found = access.item(machine, frame.registers[op.obj], frame.registers[op.index])
+    found = access.item(machine, frame.registers[op.obj], frame.registers[op.index], constant=op.constant)
     return _kept(frame, op.dst, found if op.slot or found is UNBOUND else access.value(machine, found))
 
 

@@ -11,7 +11,7 @@ from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import last_part, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.narrowing import COMPARE, condition, conjunction, split
-from rosward.frontends.cpp.lower.seen import seen_scope
+from rosward.frontends.cpp.lower.seen import is_constant, seen_scope
 from rosward.frontends.cpp.lower.survey import operator_of, through_member, word
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
@@ -158,7 +158,7 @@ def _conditional(body: Body, node: Node, want: Want) -> int:
 def _comma(body: Body, node: Node, want: Want) -> int:
     """`a = 1, f()`; in `matrix << 1, 2, 3` it is an operator of the matrix, where that is one."""
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-    if left is None or left.type != "binary_expression" or operator_of(left) != "<<":
+    if left is None or not _may_have_comma(body, left):
         body.expression(left, "effect")
         return body.expression(right, want)
     value = body.value(left)
@@ -168,6 +168,14 @@ def _comma(body: Body, node: Node, want: Want) -> int:
         body.emit(Binary(*body.place(node), dst, ",", value, item))
         value, right = dst, None if is_last else right.child_by_field_name("right")
     return value
+
+
+def _may_have_comma(body: Body, left: Node) -> bool:
+    """Whether what stands before a comma may be an object that has an operator of that name."""
+    if left.type == "identifier":
+        variable = body.variable(word(left))
+        return variable is not None and not variable.builtin and variable.written is not None
+    return left.type == "binary_expression" and operator_of(left) == "<<"
 
 
 def _parenthesized(body: Body, node: Node, want: Want) -> int:
@@ -314,7 +322,8 @@ def _subscript(body: Body, node: Node, want: Want) -> int:
     obj = body.slot(argument)
     index = body.value(inner[0])
     dst = body.register()
-    body.emit(Item(*body.place(node), dst, obj, index, slot=want != "value"))
+    constant = is_constant(body, argument)
+    body.emit(Item(*body.place(node), dst, obj, index, slot=want != "value", constant=constant))
     return body.given(node, dst, "own") if want == "own" else dst
 
 
