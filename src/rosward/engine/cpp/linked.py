@@ -95,6 +95,7 @@ class Linked:
         "constructing",
         "enumerations",
         "evaluating",
+        "fields",
         "firsts",
         "fixed",
         "found",
@@ -131,6 +132,7 @@ class Linked:
         self.firsts: dict[
             tuple[str, int], tuple[Value, tuple[tuple[int, Obj], ...]]
         ] = {}  # the values of constants, with the objects that were made for them
+        self.fields: dict[tuple[int, str], Value] = {}  # the types of fields, by class and the name in its objects
         self.enumerations: dict[str, bool] = {}  # which types are enumerations
         self.evaluating: set[tuple[str, int]] = set()
         self.constructing: list[

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Tuple
-from rosward.domain.slots import Overloads, Pointer
+from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.cpp import calls, construct, members, names
@@ -22,12 +22,14 @@ from rosward.engine.cpp.linked import linked, record
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.overloading import fitting
 from rosward.engine.cpp.patterns import type_of_pattern
+from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
+from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import ASSIGN, copied, write
 from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import name_of
+from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -155,13 +157,49 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
         if value is UNBOUND:
             return UNBOUND
         if not isinstance(slot, Ref) or value != slot:
-            write(machine, slot, value)
+            write(machine, slot, _as_declared(machine, slot, value))
         return slot
     if isinstance(slot, Ref):
         return _object(machine, slot, src)
     value = decayed(machine, src)
-    write(machine, slot, copied(machine, value) if not isinstance(value, Unknown) else value)
+    write(
+        machine, slot, _as_declared(machine, slot, copied(machine, value)) if not isinstance(value, Unknown) else value
+    )
     return slot
+
+
+_PLAIN: Final = 128
+"""Smaller whole numbers are the same in all types."""
+
+
+def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
+    """A whole number as the field or element has it in which it is kept."""
+    if not isinstance(value, Const) or type(value.value) is not int or 0 <= value.value < _PLAIN:
+        return value
+    if not isinstance(slot, Slot) or not isinstance(slot.base, Ref):
+        return value
+    cls = machine.obj(slot.base).cls
+    if slot.kind == "field" and isinstance(cls, Class) and isinstance(slot.key, str):
+        type_ = _field_type(machine, cls, slot.key)
+    elif slot.kind == "item" and isinstance(cls, TypeOf):
+        type_ = argument(cls, 1 if machine.obj(slot.base).kind == "dict" else 0)
+    else:
+        return value
+    return convert(machine, value, type_) if shape_of(type_) is Shape.INT else value
+
+
+def _field_type(machine: Engine, cls: Class, key: str) -> Value:
+    """The type that a field is declared with, by the name under which it stands in an object."""
+    program = linked(machine)
+    known = program.fields.get((cls.address, key))
+    if known is None:
+        infos = [info for each in cls.mro if (info := program.info(each)) is not None]
+        found = [(info, f) for info in infos for f in info.fields if info.keys[f.name] == key]
+        info, symbol = found[0] if found else (None, None)
+        written = symbol.type if symbol is not None else None
+        known = evaluate(machine, written, info.env) if info is not None and written is not None else NONE
+        program.fields[cls.address, key] = known
+    return known
 
 
 def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:

@@ -128,13 +128,19 @@ def _get_from(machine: Machine, place: Value, held: Value, wanted: Value) -> Val
             return unknown_from(machine, "get", hint_of(wanted), held)
     if isinstance(held, Tuple) and number is not None and number < len(held.items):
         return held.items[number]
-    if number is not None:
-        return held  # of a variant, by the number of the alternative
+    if number is not None:  # of a variant, by the number of the alternative, which nobody keeps
+        may_raise(machine, "bad_variant_access", "std::get: wrong index for variant")
+        return held
+    return _alternative(machine, place, held, wanted, ("bad_variant_access", "std::get: wrong index for variant"))
+
+
+def _alternative(machine: Machine, place: Value, held: Value, wanted: Value, error: tuple[str, str]) -> Value:
+    """What a variant or `any` holds as one of a type, or the exception that is thrown."""
     fits = is_of_type(machine, held, wanted)
     if fits is False:
-        return raises(machine, "bad_variant_access", "std::get: wrong index for variant")
+        return raises(machine, *error)
     if fits is None:
-        may_raise(machine, "bad_variant_access", "std::get: wrong index for variant")
+        may_raise(machine, *error)
         return Unknown(held.reasons, hint_of(wanted)) if isinstance(held, Unknown) else held
     return place if isinstance(place, Slot) else held
 
@@ -214,7 +220,9 @@ def _any_cast(call: NativeCall) -> Value:
         return value
     if isinstance(value, Pointer):
         return _get_if(call)
-    return _get_from(call.machine, call.args[0], value, types[0])
+    error = ("bad_any_cast", "bad any_cast")
+    found = [_alternative(call.machine, p, held, types[0], error) for p, held in _apart(call.machine, call.args[0])]
+    return join_all(found)
 
 
 # Optionals

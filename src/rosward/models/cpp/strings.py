@@ -13,10 +13,11 @@ from typing import Final
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Slot
 from rosward.domain.text import concat, make, parts_of
-from rosward.domain.values import EMPTY, NONE, Const, Text, Value
+from rosward.domain.values import EMPTY, NONE, UNBOUND, Const, Text, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import write
+from rosward.models.cpp.exceptions import raises
 from rosward.models.cpp.iterators import as_iterator, iterator
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.string_parts import (
@@ -37,6 +38,8 @@ __all__ = ["NATIVES", "OF_PLACES"]
 
 def _changed(call: NativeCall, text: Value) -> Value:
     """The string is another text from now on; gives the string."""
+    if text is UNBOUND:
+        return text
     if call.args[0].__class__ is Slot:
         write(call.machine, call.args[0], text)
         return call.args[0]
@@ -87,8 +90,8 @@ def _replaced(machine: Machine, text: Value, start: Value, count: Value, new: Va
         if first is None or length is None:
             return unknown_from(machine, "replace", "str", whole, begin, many, fresh)
         plain = text_of(whole)
-        if plain is not None:
-            first = min(first, len(plain))
+        if plain is not None and first > len(plain):
+            return raises(machine, "out_of_range", "basic_string")
         before = sliced(machine, whole, NONE, Const(first))
         after = EMPTY if length >= MOST else sliced(machine, whole, Const(first + length), NONE)
         return concat((before, fresh, after))

@@ -40,6 +40,7 @@ from rosward.models.cpp.iterators import end as end_of
 from rosward.models.cpp.ordering import foremost, without_comparison
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.sorting import sorted_values
+from rosward.models.cpp.streams import words_of
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.lists import write_series
@@ -306,6 +307,9 @@ def _new(call: NativeCall) -> Value:
     if name_of(type_) == "std.priority_queue":
         values, type_ = without_comparison(machine, [read(machine, arg) for arg in args], type_)
         args = tuple(values)
+    words = words_of(machine, read(machine, args[0]), shape_of(argument(type_, 0)) is Shape.TEXT) if args else None
+    if words is not None:
+        return new_container(machine, type_, words, "new")
     braced = "brace" in str(getattr(call.keywords.get("form"), "value", ""))
     if len(args) == 1:
         first = read(machine, args[0])

@@ -40,9 +40,15 @@ _BINARY: Final = frozenset({"+", "-", "*", "/", "%", "<<", ">>", "|", "^", "&"})
 
 
 _CONVERTED: Final = frozenset(
-    {"float", "double", "bool", *(f"{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32))}
+    {
+        *("float", "double", "bool", "unsigned", "unsigned int", "short", "unsigned short"),
+        *("signed char", "unsigned char", *(f"{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32))),
+    }
 )
 """Types of variables that what is added to them may leave."""
+_FLOATS: Final = frozenset({"float", "double"})
+_UNSIGNED: Final = frozenset({"size_t", "uint64_t", "unsigned long", "unsigned long long"})
+"""Those that may be left but by what is taken away."""
 
 
 def _binary(body: Body, node: Node, want: Want) -> int:
@@ -247,11 +253,27 @@ def _update(body: Body, node: Node, want: Want) -> int:
             body.move(node, before, variable.register)
         one = body.constant(node, 1)
         body.emit(Binary(*body.place(node), variable.register, operator[0], variable.register, one, inplace=True))
+        if _leaves(variable, operator):
+            body.move(node, variable.register, _converted(body, node, variable, None, variable.register))
         return variable.register if prefix else before
     slot = body.slot(argument)
+    target = body.variable(word(argument)) if argument is not None and argument.type == "identifier" else None
+    if target is not None and not target.reference and not target.raw and _leaves(target, operator):
+        before, found = body.register(), body.register()
+        body.emit(Read(*body.place(node), before, slot))
+        one = body.constant(node, 1)
+        body.emit(Binary(*body.place(node), found, operator[0], before, one, inplace=True))
+        src = _converted(body, node, target, None, found)
+        body.emit(Assign(*body.place(node), NO_REGISTER, "=", slot, src))
+        return body.given(node, slot, want) if prefix and want != "effect" else before
     dst = NO_REGISTER if want == "effect" else body.register()
     body.emit(Step(*body.place(node), dst, operator, slot, prefix=prefix))
     return body.given(node, dst, want) if prefix and want != "effect" else dst
+
+
+def _leaves(variable: Variable, operator: str) -> bool:
+    """Whether `++` or `--` may lead out of what the type of a variable holds."""
+    return variable.builtin in _CONVERTED - _FLOATS or (operator == "--" and variable.builtin in _UNSIGNED)
 
 
 def _pointer(body: Body, node: Node, want: Want) -> int:
