@@ -38,7 +38,7 @@ class Printer(Protocol):
         """A line, and a block below it."""
 
 
-_KINDS: Final = {"value": "", "slot": "&", "result": "", "pack": "*"}
+_KINDS: Final = {"value": "", "slot": "&", "result": "", "constant": "", "moved": "", "pack": "*"}
 
 
 def _types(p: Printer, types: tuple[int, ...] | None) -> str:

@@ -15,6 +15,7 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.slots import Overloads, Pointer, TypeOf, is_char_text
 from rosward.domain.values import Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.engine.cpp.binding import deduce
+from rosward.engine.cpp.categories import by_category
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.enumerations import enumeration_of
 from rosward.engine.cpp.linked import linked
@@ -58,6 +59,7 @@ def choose(
     if not scores:
         return by_number
     best = _enabled(machine, [f for f, s in scores if not any(_better(other, s) for _, other in scores)], args, types)
+    best = by_category(machine, best, args) if len(best) > 1 else best
     if len(set(map(_is_template, best))) > 1:  # one takes a weak pointer, the other anything
         return [f for f in best if not f.code.is_stub] or best
     return best if any(isinstance(o, Unknown) for v in values for o in options(v)) else _versions(machine, best)

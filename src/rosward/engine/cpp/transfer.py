@@ -143,6 +143,7 @@ def _construct(machine: Engine, op: cpp.Construct, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     type_ = frame.registers[op.type]
     args = given(frame, op.arguments)
+    frame.handed = frame.fresh
     fresh = initialising.is_fresh(frame, op.arguments, args)
     value = initialising.made(machine, type_, args, op.form, fresh=fresh)
     frame.op, frame.sequence = op, 0
@@ -157,7 +158,7 @@ def _initialise(machine: Engine, op: cpp.Initialise, frame: Frame) -> bool | Non
 def _invoke(machine: Engine, op: cpp.Invoke, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     args = given(frame, op.arguments)
-    frame.fresh = UNBOUND
+    frame.handed, frame.fresh = frame.fresh, UNBOUND
     value = calls.invoke(machine, frame.registers[op.func], args)
     return _result(machine, frame, op, value)
 
@@ -169,7 +170,7 @@ def _invoke_member(machine: Engine, op: cpp.InvokeMember, frame: Frame) -> bool 
     args = given(frame, op.arguments)
     types = access.types_of(frame, op.types)
     scope = frame.registers[op.scope] if op.scope != ops.NO_REGISTER else None
-    frame.fresh = UNBOUND
+    frame.handed, frame.fresh = frame.fresh, UNBOUND
     obj = frame.registers[op.obj]
 
     def declared() -> Value:

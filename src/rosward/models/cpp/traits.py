@@ -161,7 +161,8 @@ def _is_unsigned(types: Types) -> Value:
 
 
 def _is_wrapped(name: str) -> Trait:
-    return lambda types: Const(bool(types) and name_of(types[0]) == name)
+    """What a type is by `&` or `const` is not kept of most types: nobody knows that it is not."""
+    return lambda types: TRUE if types and name_of(types[0]) == name else _unknown(f"is_{name}", "bool")
 
 
 def _asked(name: str) -> Trait:

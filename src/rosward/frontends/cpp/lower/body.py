@@ -94,6 +94,14 @@ class Shared:
         self.using: list[Path] = []
 
 
+def _of_call(node: Node) -> Literal["result", "constant", "moved"]:
+    """Of what kind the result of a call or cast is, as an argument."""
+    function = node.child_by_field_name("function") if node.type == "call_expression" else None
+    text = word(function)
+    is_cast = text.startswith("static_cast<") and text.rstrip("> ").endswith("&&")
+    return "constant" if text == "std::as_const" else "moved" if text == "std::move" or is_cast else "result"
+
+
 @final
 class Body:
     """One code body on its way into the IR."""
@@ -242,9 +250,9 @@ class Body:
             return Argued(self.expression(node, "slot"), "pack")
         variable = self.variable(word(node)) if node.type == "identifier" else None
         if variable is not None and variable.constant and not variable.raw:  # who gets it may not change it
-            return Argued(self.value(node), "result")
-        kind: Literal["value", "slot", "result"] = (
-            "slot" if is_lvalue(node) else "result" if node.type in _RESULTS else "value"
+            return Argued(self.value(node), "constant")
+        kind: Literal["value", "slot", "result", "constant", "moved"] = (
+            "slot" if is_lvalue(node) else _of_call(node) if node.type in _RESULTS else "value"
         )
         return Argued(self.slot(node), kind)
 
