@@ -82,7 +82,10 @@ class CellSlot(Op):
 
 @final
 class Member(Op):
-    """dst = obj.name, or its slot; `obj` is a slot. `arguments`: those of a template (`obj.template f<T>`). `seen`, `static` as for `InvokeMember`."""
+    """dst = obj.name, or its slot; `obj` is a slot. `arguments`: those of a template (`obj.template f<T>`).
+
+    `seen` and `static` are as for `InvokeMember`.
+    """
 
     __slots__ = ("arguments", "dst", "name", "obj", "seen", "slot", "static")
 

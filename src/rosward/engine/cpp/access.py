@@ -12,9 +12,9 @@ from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.engine.cpp import calls, members
+from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.natives import run_native
-from rosward.engine.cpp.overloading import of_constness
 from rosward.engine.cpp.types import pointee
 from rosward.engine.frame import Frame
 from rosward.models.cpp.memory import pointer_to

@@ -6,19 +6,19 @@ void set(const std::string & s);  void set(std::string && s);      set(name): th
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, Literal
 
-from rosward.domain.slots import Slot
+from rosward.domain.slots import Overloads, Slot
 from rosward.domain.values import Function, Ref, Value
 from rosward.engine.frame import Frame
 from rosward.ir.cpp import Argued
 from rosward.ir.program import TypePattern
+from rosward.ir.symbols import Signature
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["by_category"]
+__all__ = ["by_category", "of_constness", "same_parameters"]
 
 Category = Literal["lvalue", "constant", "rvalue"]
 _NEVER: Final = 0
@@ -81,3 +81,27 @@ def _fits(function: Function, number: int, category: Category) -> int:
 def _is_free(type_: TypePattern, names: frozenset[str]) -> bool:
     """Whether `T &&` takes whatever is given."""
     return type_.reference == "&&" and len(type_.names) == 1 and type_.names[0] in names
+
+
+def of_constness(several: Overloads, *, constant: bool) -> Overloads:
+    """The functions that are for a constant object, or of two that differ in nothing else, the one for any other."""
+    own = [f.code.signature for f in several.functions]
+    if len(own) < 2 or not any(s is not None and s.constant for s in own) or all(s is None or s.constant for s in own):
+        return several
+    if constant:
+        kept = [f for f, s in zip(several.functions, own, strict=True) if s is None or s.constant or not s.leading]
+    else:
+        others = [s for s in own if s is not None and not s.constant]
+        kept = [
+            f
+            for f, s in zip(several.functions, own, strict=True)
+            if s is None or not s.constant or not any(same_parameters(s, other) for other in others)
+        ]
+    return several.only(tuple(kept)) if kept else several
+
+
+def same_parameters(one: Signature | None, other: Signature | None) -> bool:
+    """Whether two functions differ in nothing that they take."""
+    if one is None or other is None:
+        return one is other
+    return [p.type for p in one.parameters] == [p.type for p in other.parameters]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
-from rosward.domain.slots import Slot, TypeOf
+from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
@@ -26,11 +26,10 @@ from rosward.engine.cpp.constructors import (
     inherited_constructors,
     inheriting,
     is_copying,
-    least,
     takes,
     takes_list,
 )
-from rosward.engine.cpp.converting import as_wanted, buffer, by_operator, cast, decayed, enumerator
+from rosward.engine.cpp.converting import as_wanted, by_operator, decayed, derives, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import Info, linked, record
 from rosward.engine.cpp.natives import run_native
@@ -43,22 +42,19 @@ from rosward.ir.cpp import Form
 from rosward.ir.symbols import Symbol
 from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.conversions import default_value
-from rosward.models.cpp.copies import COPY, copied, take_member
-from rosward.models.cpp.exceptions import may_raise, raises
+from rosward.models.cpp.copies import COPY, copied
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.typed import MESSAGE, typed
 from rosward.models.cpp.types import Shape, shape_of
+from rosward.models.cpp.unions import take_member
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 __all__ = [
     "DESIGNATED",
-    "as_one",
     "construct_in_place",
-    "convert",
     "field_default",
-    "is_of_another",
     "is_one",
     "is_type",
     "make",
@@ -128,7 +124,7 @@ def _message(machine: Engine, type_: Value, args: Sequence[Value]) -> Value:
             return copied(machine, option)
         if isinstance(option, Unknown):
             return typed(machine, option, type_, MESSAGE)
-        if isinstance(option, Ref) and _derives(machine.obj(option).cls, type_):
+        if isinstance(option, Ref) and derives(machine.obj(option).cls, type_):
             return _message_in(machine, option, type_)
         return machine.allocate(Obj("instance", type_), "message")
 
@@ -370,79 +366,3 @@ def set_field(machine: Engine, ref: Ref, info: Info, name: str, value: Value) ->
     """The first value of a field."""
     key = linked(machine).key_in(machine, ref, info, name) or name
     machine.update(ref, machine.obj(ref).with_attr(key, value))
-
-
-def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
-    """A value as one of a type: what a parameter or variable of that type holds, or a cast makes."""
-    held = read(machine, value)
-    if kind == "buffer":
-        return buffer(value, held)
-    if kind == "value":
-        kind = "init"
-        if is_of_another(machine, held, type_):
-            held = lift(lambda o: as_one(machine, o, type_) if is_of_another(machine, o, type_) else o, held)
-    target = pointee(type_)
-    if kind == "dynamic" or (target is not None and isinstance(target, Class)):
-        found = cast(machine, held, target if target is not None else type_, kind)
-        return found if kind != "dynamic" or target is not None else _of_reference(machine, found)
-    if not isinstance(type_, Class):
-        if isinstance(type_, Unknown) or is_message(type_):
-            return _message_of(machine, held, type_)
-        if is_enumeration(machine, type_):
-            return enumerator(machine, dotted(type_), (held,), "copy")
-        return convert_plain(machine, lift(lambda v: by_operator(machine, v, type_), held), type_, kind)
-    found: list[Value] = []
-    for option in options(held):
-        if is_one(machine, option, type_) or isinstance(option, Unknown) or kind != "init":
-            found.append(option)
-        else:
-            found.append(_converted(machine, option, type_))
-
-    return join_all(found)
-
-
-def _of_reference(machine: Engine, found: Value) -> Value:
-    """What `dynamic_cast<T &>(x)` gives, or throws."""
-    left = [option for option in options(found) if option != NONE]
-    if not left:
-        return raises(machine, "bad_cast", "std::bad_cast")
-    if len(left) < len(options(found)):
-        may_raise(machine, "bad_cast", "std::bad_cast")
-    return join_all(left)
-
-
-def is_of_another(machine: Engine, value: Value, type_: Value) -> bool:
-    """Whether a value may be an object of a class that derives from a type."""
-    held = read(machine, value) if isinstance(type_, Class) or is_message(type_) else UNBOUND
-    return any(isinstance(o, Ref) and _derives(machine.obj(o).cls, type_) for o in options(held))
-
-
-def _derives(cls: Value, type_: Value) -> bool:
-    return isinstance(cls, Class) and cls != type_ and type_ in cls.mro
-
-
-def as_one(machine: Engine, value: Value, type_: Value) -> Value:
-    """A value of its own of a type: of an object of a class that derives from it, what belongs to the type."""
-
-    def one(option: Value) -> Value:
-        sliced = isinstance(option, Ref) and _derives(machine.obj(option).cls, type_)
-        return make(machine, type_, (option,), "copy") if sliced else copied(machine, option)
-
-    return lift(one, read(machine, value))
-
-
-def _message_of(machine: Engine, value: Value, type_: Value) -> Value:
-    return make(machine, type_, (), "default") if isinstance(value, Tuple) and is_message(type_) else value
-
-
-def _converted(machine: Engine, value: Value, type_: Class) -> Value:
-    """An object that is made of a value implicitly; the value itself where no constructor takes it."""
-    if isinstance(value, Tuple):
-        return make(machine, type_, (value,), "brace-copy")
-    info = linked(machine).info(type_)
-    if info is None or isinstance(value, Slot):
-        return value
-    fitting = any(
-        least(s) <= 1 <= len(s.parameters) or any(p.pack for p in s.parameters) for s in constructors(machine, info)
-    )
-    return make(machine, type_, (value,), "copy") if fitting else value

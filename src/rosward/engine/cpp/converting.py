@@ -26,7 +26,7 @@ from rosward.models.cpp.slots import read
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["as_wanted", "buffer", "by_operator", "cast", "decayed", "enumerator"]
+__all__ = ["as_wanted", "buffer", "by_operator", "cast", "decayed", "derives", "enumerator"]
 
 
 def enumerator(machine: Engine, enumeration: str, args: Sequence[Value], form: Form) -> Value:
@@ -105,3 +105,8 @@ def _is_text(value: Value) -> bool:
         or (isinstance(o, Unknown) and o.hint == "str")
         for o in options(value)
     )
+
+
+def derives(cls: Value, type_: Value) -> bool:
+    """Whether a class has another one as a base."""
+    return isinstance(cls, Class) and cls != type_ and type_ in cls.mro

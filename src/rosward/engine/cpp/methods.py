@@ -18,9 +18,9 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.cpp import access, assumed_nodes, calls, members, names, operators
+from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
-from rosward.engine.cpp.overloading import of_constness
 from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import overloads
 from rosward.engine.frame import Frame

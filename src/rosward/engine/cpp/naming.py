@@ -10,9 +10,9 @@ from rosward.domain.compound import External, Partial
 from rosward.domain.slots import Overloads, Slot, TypeOf
 from rosward.domain.values import NONE, Class, ModuleValue, Ref, Unknown, Value
 from rosward.engine.cpp import access, members, names
+from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.names import Found
-from rosward.engine.cpp.overloading import of_constness
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.engine.frame import Frame

@@ -15,7 +15,7 @@ from rosward.domain.compound import External, Tuple
 from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
-from rosward.engine.cpp import calls, construct, members, names
+from rosward.engine.cpp import as_type, calls, construct, members, names
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
 from rosward.engine.cpp.linked import linked, record
@@ -229,7 +229,7 @@ def _object(machine: Engine, ref: Ref, src: Value) -> Value:
     value = read(machine, src)
     if isinstance(value, (Tuple, Const, Pointer)) or not all(isinstance(o, Ref) for o in options(value)):
         if not isinstance(value, Unknown):
-            value = construct.convert(machine, value, cls, "init")
+            value = as_type.convert(machine, value, cls, "init")
             if isinstance(value, Tuple):
                 value = construct.make(machine, cls, (value,), "brace-copy")
     if value is UNBOUND:

@@ -14,7 +14,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
-from rosward.engine.cpp import access, calls, construct, initialising, methods, naming, narrowing, operators
+from rosward.engine.cpp import access, as_type, calls, construct, initialising, methods, naming, narrowing, operators
 from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.packs import items_of
 from rosward.engine.cpp.types import pointer_to, type_of
@@ -124,9 +124,9 @@ def _copy(machine: Engine, op: cpp.Copy, frame: Frame) -> bool | None:
     value = frame.registers[op.src]
     if value is UNBOUND:
         return None
-    of_type = op.type != ops.NO_REGISTER and construct.is_of_another(machine, value, frame.registers[op.type])
+    of_type = op.type != ops.NO_REGISTER and as_type.is_of_another(machine, value, frame.registers[op.type])
     return _kept(
-        frame, op.dst, construct.as_one(machine, value, frame.registers[op.type]) if of_type else copied(machine, value)
+        frame, op.dst, as_type.as_one(machine, value, frame.registers[op.type]) if of_type else copied(machine, value)
     )
 
 
@@ -136,7 +136,7 @@ def _convert(machine: Engine, op: cpp.Convert, frame: Frame) -> bool | None:
     if value is UNBOUND:
         frame.registers[op.dst] = value
         return None
-    return _kept(frame, op.dst, construct.convert(machine, value, frame.registers[op.type], op.kind))
+    return _kept(frame, op.dst, as_type.convert(machine, value, frame.registers[op.type], op.kind))
 
 
 def _construct(machine: Engine, op: cpp.Construct, frame: Frame) -> bool | None:

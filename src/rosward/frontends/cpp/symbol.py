@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Final, Protocol, final
 
-from rosward.frontends.cpp.declarators import dense, inner, spelled
+from rosward.frontends.cpp.declarators import dense, inner, spelled, template_parameter_name
 from rosward.frontends.cpp.lower import entry as lower
 from rosward.frontends.cpp.marks import function_of, marks_of, words_of
 from rosward.frontends.cpp.outline import CLASSES, Declared, is_scoped, local, members
@@ -388,18 +388,6 @@ def _computed_type(node: Node) -> Node | None:
         else None
     )
     return type_ if type_ is not None and b"<" in (type_.text or b"") else None
-
-
-def template_parameter_name(node: Node) -> str:
-    """The name of a parameter of a template, '' for one without."""
-    if node.type == "template_template_parameter_declaration" and node.named_children:
-        return template_parameter_name(node.named_children[-1])
-    name = node.child_by_field_name("name") or node.child_by_field_name("declarator")
-    if name is None and node.type.endswith("type_parameter_declaration"):
-        name = next((child for child in node.named_children if child.type == "type_identifier"), None)
-    while name is not None and name.type.endswith("declarator"):
-        name = inner(name)
-    return dense(name)
 
 
 def _has_variables(node: Node) -> bool:

@@ -28,7 +28,18 @@ from rosward.models.python.containers import dicts
 from rosward.models.python.operators import items as python_items
 from rosward.models.python.plain import int_of, text_of, unknown_from
 
-__all__ = ["ASSIGN", "COPY", "REFERENCES", "assigned", "copied", "for_each", "several", "take_member", "write"]
+__all__ = [
+    "ASSIGN",
+    "COPY",
+    "REFERENCES",
+    "assigned",
+    "copied",
+    "for_each",
+    "opened",
+    "overlapping",
+    "several",
+    "write",
+]
 
 COPY: Final = "<copy>"
 """The attribute of a class that makes a copy of an object of it: a callable of the object; NONE where objects of it are never copied."""
@@ -85,33 +96,6 @@ def overlapping(cls: Obj | None, name: str) -> frozenset[str]:
 
 
 _NONE: Final = frozenset[str]()
-_ACTIVE: Final = "<member of a union>"
-"""Of an object of a union, the member that was asked for last."""
-
-
-def take_member(machine: Machine, ref: Ref, name: str) -> None:
-    """A member of a union is asked for, which may be written in parts, or be read after parts of another one were: what is in objects
-    that share their storage with others is not known from then on."""
-    obj = machine.obj(ref)
-    cls = machine.obj(Ref(obj.cls.address)) if isinstance(obj.cls, Class) else None
-    others = overlapping(cls, name)
-    if not others or not any(isinstance(o, Ref) for key in (*others, name) for o in options(obj.attrs.get(key, NONE))):
-        return
-    before = obj.attrs.get(_ACTIVE)
-    if before is None or before == Const(name):
-        if before is None:
-            machine.update(ref, obj.with_attr(_ACTIVE, Const(name)))
-        return
-    unknown = machine.unknown(Cause.OPERATION, f"member of a union: {name}")
-    changed = {_ACTIVE: unknown}
-    for key in (*others, name):
-        held = obj.attrs.get(key, UNBOUND)
-        objects = [o for o in options(held) if isinstance(o, Ref)]
-        for each in objects:
-            _opened(machine, each, unknown)
-            several(machine, each)
-        changed[key] = held if objects else unknown
-    machine.update(ref, machine.obj(ref).replace(attrs={**machine.obj(ref).attrs, **changed}))
 
 
 def _shared(machine: Machine, obj: Obj, others: frozenset[str], name: str, value: Value) -> tuple[Value, Obj]:
@@ -330,7 +314,7 @@ def assigned(machine: Machine, ref: Ref, value: Value, *, weak: bool = False, de
             continue
         old = machine.obj(ref)
         if not isinstance(option, Ref) or machine.obj(option).kind != old.kind:
-            _opened(machine, ref, option)
+            opened(machine, ref, option)
             continue
         source = merged or machine.obj(option)
         fixed = stays | _references(machine, old.cls)
@@ -384,7 +368,7 @@ def _assigned_inside(
     return inside
 
 
-def _opened(machine: Machine, ref: Ref, value: Value) -> None:
+def opened(machine: Machine, ref: Ref, value: Value) -> None:
     """Something of which nothing is known is assigned to an object: it may hold anything now."""
     obj = machine.obj(ref)
     unknown = unknown_from(machine, "=", "", value)

@@ -63,7 +63,7 @@ def _found(machine: Machine, ref: Ref, key: Value) -> bool | None:
 def _place(machine: Machine, ref: Ref, key: Value) -> Value:
     """An iterator to a key that is in a set."""
     series = machine.obj(ref).series()
-    same = _same(machine, ref, key) if series.exact else [None]
+    same: list[bool | None] = _same(machine, ref, key) if series.exact else []
     if None not in same and True in same:
         return iterator(ref, Const(same.index(True)))
     return iterator(ref, unknown_from(machine, "find", "int", key))
@@ -186,7 +186,7 @@ def _merge(call: NativeCall) -> Value:
 def _new(call: NativeCall) -> Value:
     """std::set<T>(…): the type comes first."""
     machine, type_, args = call.machine, call.args[0], call.args[1:]
-    cls = type_ if isinstance(type_, TypeOf) else TypeOf(name_of(type_), ())
+    cls: Value = type_ if isinstance(type_, TypeOf) else TypeOf(name_of(type_), ())
     values = [read(machine, arg) for arg in args]
     if values and isinstance(values[0], Unknown):
         return values[0]

@@ -14,7 +14,7 @@ from typing import Final
 from rosward.domain.compound import External
 from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Choice, Class, Const, Unknown, Value
+from rosward.domain.values import TRUE, Choice, Class, Const, Unknown, Value
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 from rosward.source.location import Place
 

@@ -318,7 +318,7 @@ def _new(call: NativeCall) -> Value:
         if isinstance(first, Unknown) and first.hint not in ("int", "float", "bool"):
             return first
         if isinstance(first, Ref) and machine.obj(first).kind in ("list", "set") and not _nests(machine, type_, first):
-            return _adopted(machine, copied(machine, first), type_)
+            return convert(machine, copied(machine, first), type_)
     if braced and args and as_iterator(read(machine, args[0])) is None:
         return convert(machine, Tuple(tuple(args)), type_)
     if shape_of(type_) in (Shape.ARRAY, Shape.TUPLE) and args:
@@ -331,10 +331,6 @@ def _new(call: NativeCall) -> Value:
 def _nests(machine: Machine, type_: Value, value: Ref) -> bool:
     """Whether a container is an element of what is made of it, not what is copied."""
     return name_of(argument(type_, 0)) == name_of(machine.obj(value).cls) != name_of(type_)
-
-
-def _adopted(machine: Machine, value: Value, type_: Value) -> Value:
-    return convert(machine, value, type_)
 
 
 _KINDS: Final = (

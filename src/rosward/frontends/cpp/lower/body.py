@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final, Literal, final
 
-from rosward.frontends.cpp.lower.lvalues import is_lvalue
+from rosward.frontends.cpp.lower.lvalues import is_lvalue, kind_of_result
 from rosward.frontends.cpp.lower.survey import Survey, word
 from rosward.frontends.cpp.lower.undecided import Undecided
 from rosward.frontends.cpp.lower.variables import Jumps, Loop, Returns, Scope, Variable
@@ -92,14 +92,6 @@ class Shared:
         self.expressions = expressions
         self.statements = statements
         self.using: list[Path] = []
-
-
-def _of_call(node: Node) -> Literal["result", "constant", "moved"]:
-    """Of what kind the result of a call or cast is, as an argument."""
-    function = node.child_by_field_name("function") if node.type == "call_expression" else None
-    text = word(function)
-    is_cast = text.startswith("static_cast<") and text.rstrip("> ").endswith("&&")
-    return "constant" if text == "std::as_const" else "moved" if text == "std::move" or is_cast else "result"
 
 
 @final
@@ -252,7 +244,7 @@ class Body:
         if variable is not None and variable.constant and not variable.raw:  # who gets it may not change it
             return Argued(self.value(node), "constant")
         kind: Literal["value", "slot", "result", "constant", "moved"] = (
-            "slot" if is_lvalue(node) else _of_call(node) if node.type in _RESULTS else "value"
+            "slot" if is_lvalue(node) else kind_of_result(node) if node.type in _RESULTS else "value"
         )
         return Argued(self.slot(node), kind)
 
