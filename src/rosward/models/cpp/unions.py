@@ -11,7 +11,7 @@ from typing import Final
 
 from rosward.domain.choice import options
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.cpp.copies import opened, overlapping, several
 from rosward.models.native import Machine
 
