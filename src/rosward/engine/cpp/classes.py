@@ -7,7 +7,8 @@ template <> struct Topic<Imu>        is chosen for Topic<Imu>, the general one f
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import Tuple
@@ -182,10 +183,9 @@ def instance_of(
     for i in reversed(inherited):
         info.keys.update(i.keys)
     if inherited:
-        named = [f.name for i in (info, *inherited) for f in i.fields]
-        info.hidden = frozenset(name for name in named if named.count(name) > 1)
+        info.hidden = _repeated(f.name for i in (info, *inherited) for f in i.fields)
     if len(inherited) > 1:
-        info.clashing = _clashing(inherited)
+        info.clashing = _repeated(i.keys[f.name] for i in inherited for f in i.fields)
         info.doubled = _doubled(machine, bases, inherited)
     info.shares = any(f.overlaps for f in info.fields) or any(i.shares for i in inherited)
     info.keys.update((f.name, f"{f.name} of {name}" if f.name in taken else f.name) for f in info.fields)
@@ -196,10 +196,10 @@ def instance_of(
     return cls
 
 
-def _clashing(inherited: list[Info]) -> frozenset[str]:
-    """The fields that several of the bases have under one name."""
-    found = [i.keys[f.name] for i in inherited for f in i.fields]
-    return frozenset(key for key in found if found.count(key) > 1)
+def _repeated(names_: Iterable[str]) -> frozenset[str]:
+    """Those that are there several times."""
+    counted = Counter(names_)
+    return frozenset(name for name, count in counted.items() if count > 1)
 
 
 def _doubled(machine: Engine, bases: tuple[Value, ...], inherited: list[Info]) -> frozenset[str]:

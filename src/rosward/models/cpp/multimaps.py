@@ -68,7 +68,7 @@ def _insert(call: NativeCall) -> Value:
         ):
             more = Series(values[0].items)
         else:
-            fresh = _pair(machine, cls, args[1:] if as_iterator(values[0]) is not None else args)
+            fresh = _pair(machine, cls, args[1:] if len(args) > 1 and as_iterator(values[0]) is not None else args)
             if fresh is UNBOUND:
                 return UNBOUND
             _sorted(machine, ref, concatenated((old, Series((fresh,)))))
