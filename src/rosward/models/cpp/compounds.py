@@ -14,7 +14,7 @@ from typing import Final
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Tuple
 from rosward.domain.series import Series
-from rosward.domain.slots import Pointer, Slot, TypeOf
+from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.containers import element_from, made_of, place_of
@@ -125,6 +125,9 @@ def _get_from(machine: Machine, place: Value, held: Value, wanted: Value) -> Val
             types = obj.cls.arguments if isinstance(obj.cls, TypeOf) else ()
             if wanted in types:
                 return place_of(machine, held, Const(types.index(wanted)))
+            fitting = [n for n, item in enumerate(() if types else obj.items or ()) if _may_be(machine, item, wanted)]
+            if len(fitting) == 1:
+                return place_of(machine, held, Const(fitting[0]))
             return unknown_from(machine, "get", hint_of(wanted), held)
     if isinstance(held, Tuple) and number is not None and number < len(held.items):
         return held.items[number]
@@ -143,6 +146,12 @@ def _alternative(machine: Machine, place: Value, held: Value, wanted: Value, err
         may_raise(machine, *error)
         return Unknown(held.reasons, hint_of(wanted)) if isinstance(held, Unknown) else held
     return place if isinstance(place, Slot) else held
+
+
+def _may_be(machine: Machine, item: Value, type_: Value) -> bool:
+    """Whether an element of a tuple may be of a type; a literal is no string."""
+    is_text = shape_of(type_) is Shape.TEXT and is_char_text(read(machine, item))
+    return not is_text and is_of_type(machine, item, type_) is not False
 
 
 def is_of_type(machine: Machine, value: Value, type_: Value) -> bool | None:
