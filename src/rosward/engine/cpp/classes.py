@@ -27,7 +27,7 @@ from rosward.models.cpp.copies import ASSIGN, COPY, REFERENCES, UNION
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["bind_template", "class_of", "copies", "instance_of", "specialised"]
+__all__ = ["bind_template", "class_of", "copies", "instance_of", "is_copied", "specialised"]
 
 _DEPTH: Final = 60
 
@@ -229,7 +229,7 @@ def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:
         rules[UNION] = Tuple(shared)
     if "node_class" in symbol.marks or "unique" in symbol.marks:
         rules[COPY] = NONE
-    elif copies(machine, info) or any(_is_copied(machine, base) for base in cls.bases):
+    elif copies(machine, info) or any(is_copied(machine, base) for base in cls.bases):
         rules[COPY] = cls
     assigning = _assigning(machine, info)
     if assigning != NONE:
@@ -249,7 +249,7 @@ def _takes_itself(info: Info, symbol: Symbol) -> bool:
     return first is not None and first.names[-1:] == (info.symbol.name,) and "default" not in symbol.marks
 
 
-def _is_copied(machine: Engine, base: Value) -> bool:
+def is_copied(machine: Engine, base: Value) -> bool:
     """Whether a class says how it, or a base of it, is copied."""
     obj = machine.own(base.address) if isinstance(base, Class) else None
     return obj is not None and obj.attrs.get(COPY, NONE) != NONE

@@ -20,7 +20,7 @@ from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Un
 from rosward.engine.alternatives import each_apart
 from rosward.engine.cpp import handing, names, visitors
 from rosward.engine.cpp.binding import deduce
-from rosward.engine.cpp.classes import copies
+from rosward.engine.cpp.classes import copies, is_copied
 from rosward.engine.cpp.constructors import (
     constructors,
     inherited_constructors,
@@ -31,7 +31,7 @@ from rosward.engine.cpp.constructors import (
 )
 from rosward.engine.cpp.converting import as_wanted, by_operator, decayed, derives, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
-from rosward.engine.cpp.linked import Info, linked, record
+from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.overloading import choose
 from rosward.engine.cpp.thunks import evaluate
@@ -42,7 +42,7 @@ from rosward.ir.cpp import Form
 from rosward.ir.symbols import Symbol
 from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.conversions import default_value
-from rosward.models.cpp.copies import COPY, copied
+from rosward.models.cpp.copies import copied
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.typed import MESSAGE, typed
 from rosward.models.cpp.types import Shape, shape_of
@@ -153,8 +153,9 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
     if info.open:
         cls, info = _closed(machine, cls, info, args)
     if len(args) == 1 and is_one(machine, args[0], cls) and not copies(machine, info):
-        plain = COPY not in record(machine, cls.address).attrs
-        if plain and all(isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))):
+        if not is_copied(machine, cls) and all(
+            isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))
+        ):
             return copied(machine, args[0])
         ref = machine.allocate(Obj("instance", cls), "object")
         _take_over(machine, ref, cls, args[0])
@@ -261,7 +262,7 @@ def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
     whole = linked(machine).info(cls)
     for base in linked(machine).bases_to_make(ref, whole) if whole is not None else ():
         inner = linked(machine).info(base)
-        if inner is not None and isinstance(base, Class) and COPY in record(machine, base.address).attrs:
+        if inner is not None and isinstance(base, Class) and is_copied(machine, base):
             construct_in_place(machine, ref, inner, (source,))
             apart.update(base.mro)
     objects = [(o, machine.obj(o)) for o in options(read(machine, source)) if isinstance(o, Ref)]
