@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Slot
-from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Ref, Unknown, Value
 from rosward.engine.cpp.construct import is_one, make
 from rosward.engine.cpp.constructors import constructors, least
 from rosward.engine.cpp.converting import buffer, by_operator, cast, derives, enumerator
@@ -38,7 +38,7 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
         return buffer(value, held)
     if kind == "value":
         kind = "init"
-        if is_of_another(machine, held, type_):
+        if held.__class__ in (Ref, Choice) and is_of_another(machine, held, type_):
             held = lift(lambda o: as_one(machine, o, type_) if is_of_another(machine, o, type_) else o, held)
     target = pointee(type_)
     if kind == "dynamic" or (target is not None and isinstance(target, Class)):

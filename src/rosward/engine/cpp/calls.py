@@ -114,7 +114,9 @@ def _of_several(
         if overridden:
             return each_apart(machine, overridden, lambda each: invoke(machine, each, args[1:], types, keywords))
         given = args[1:]
-    chosen = choose(machine, _of_arguments(machine, several, args) or functions, given, types)
+    if several.receiver is None and args:
+        functions = _of_arguments(machine, several, args) or functions
+    chosen = choose(machine, functions, given, types)
     if not chosen:
         return unknown_call(machine, External(several.name), args, types)
 
@@ -129,8 +131,9 @@ def _of_several(
 def _of_arguments(machine: Engine, several: Overloads, args: Arguments) -> list[Function]:
     """The functions of that name in the namespaces of the arguments, where none of those that were found takes them."""
     first = several.functions[0] if several.functions else None
-    objects = [a for a in args if isinstance(a, Ref) and isinstance(machine.obj(a).cls, Class)]
-    if not objects or first is None or several.receiver is not None or linked(machine).info(first.module) is not None:
+    if first is None or linked(machine).info(first.module) is not None:
+        return []
+    if not any(isinstance(machine.obj(a).cls, Class) for a in args if a.__class__ is Ref):
         return []
     here, name = linked(machine).scope_of(first.module), several.name.rpartition(".")[2]
     scopes = [scope for scope in dict.fromkeys(_namespaces(machine, args)) if scope != here]

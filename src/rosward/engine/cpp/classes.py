@@ -187,6 +187,7 @@ def instance_of(
     if len(inherited) > 1:
         info.clashing = _repeated(i.keys[f.name] for i in inherited for f in i.fields)
         info.doubled = _doubled(machine, bases, inherited)
+        program.clashes = program.clashes or bool(info.clashing)
     info.shares = any(f.overlaps for f in info.fields) or any(i.shares for i in inherited)
     info.keys.update((f.name, f"{f.name} of {name}" if f.name in taken else f.name) for f in info.fields)
     if machine.own(address) is None:

@@ -365,5 +365,6 @@ def _first_of_field(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Va
 
 def set_field(machine: Engine, ref: Ref, info: Info, name: str, value: Value) -> None:
     """The first value of a field."""
-    key = linked(machine).key_in(machine, ref, info, name) or name
-    machine.update(ref, machine.obj(ref).with_attr(key, value))
+    program = linked(machine)
+    key = program.key_in(machine, ref, info, name) if program.clashes else info.keys.get(name)
+    machine.update(ref, machine.obj(ref).with_attr(key or name, value))

@@ -90,6 +90,7 @@ class Linked:
     """A program and its classes, functions and scopes; none of it depends on what the program does."""
 
     __slots__ = (
+        "clashes",
         "constants",
         "constructing",
         "enumerations",
@@ -116,6 +117,7 @@ class Linked:
         self.symbols = symbols
         self.value_of = value_of
         self.scopes: dict[int, Scope] = {}
+        self.clashes = False  # whether any class has fields of one name from several bases
         self.hiding: dict[tuple[int, str], bool] = {}  # which classes hide functions of their bases
         self.infos: dict[int, Info] = {}  # by the address of the class, which is that of its scope
         self.instances: dict[str, int] = {}  # how many of each template there are

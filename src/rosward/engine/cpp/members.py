@@ -55,8 +55,11 @@ def member(
     seen = info
     if lexical is not None and lexical.cls is not None and isinstance(cls, Class) and lexical.cls in cls.mro:
         seen = lexical
-    key = program.key_in(machine, owner, seen, name) or program.key_in(machine, owner, info, name)
+    of = seen if name in seen.keys else info
+    key = of.keys.get(name)
     if key is not None:
+        if program.clashes:
+            key = program.key_in(machine, owner, of, name) or key
         return _field(machine, owner, key, info)
     found = names.in_class(machine, seen, name)
     if (

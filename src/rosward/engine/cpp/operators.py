@@ -157,14 +157,14 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
         if value is UNBOUND:
             return UNBOUND
         if not isinstance(slot, Ref) or value != slot:
-            write(machine, slot, _as_declared(machine, slot, value))
+            write(machine, slot, _as_declared(machine, slot, value) if _is_large(value) else value)
         return slot
     if isinstance(slot, Ref):
         return _object(machine, slot, src)
     value = decayed(machine, src)
-    write(
-        machine, slot, _as_declared(machine, slot, copied(machine, value)) if not isinstance(value, Unknown) else value
-    )
+    if value.__class__ is not Unknown:
+        value = copied(machine, value)
+    write(machine, slot, _as_declared(machine, slot, value) if _is_large(value) else value)
     return slot
 
 
@@ -172,10 +172,12 @@ _PLAIN: Final = 128
 """Smaller whole numbers are the same in all types."""
 
 
+def _is_large(value: Value) -> bool:
+    return value.__class__ is Const and type(value.value) is int and not 0 <= value.value < _PLAIN
+
+
 def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
     """A whole number as the field or element has it in which it is kept."""
-    if not isinstance(value, Const) or type(value.value) is not int or 0 <= value.value < _PLAIN:
-        return value
     if not isinstance(slot, Slot) or not isinstance(slot.base, Ref):
         return value
     cls = machine.obj(slot.base).cls

@@ -13,7 +13,7 @@ from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Value
 from rosward.engine.cpp import access, as_type, calls, construct, initialising, methods, naming, narrowing, operators
 from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.packs import items_of
@@ -124,10 +124,12 @@ def _copy(machine: Engine, op: cpp.Copy, frame: Frame) -> bool | None:
     value = frame.registers[op.src]
     if value is UNBOUND:
         return None
-    of_type = op.type != ops.NO_REGISTER and as_type.is_of_another(machine, value, frame.registers[op.type])
-    return _kept(
-        frame, op.dst, as_type.as_one(machine, value, frame.registers[op.type]) if of_type else copied(machine, value)
-    )
+    if op.type == ops.NO_REGISTER or frame.registers[op.type].__class__ is TypeOf:
+        return _kept(frame, op.dst, copied(machine, value))
+    type_ = frame.registers[op.type]
+    held = read(machine, value)
+    sliced = held.__class__ in (Ref, Choice) and as_type.is_of_another(machine, held, type_)
+    return _kept(frame, op.dst, as_type.as_one(machine, held, type_) if sliced else copied(machine, held))
 
 
 def _convert(machine: Engine, op: cpp.Convert, frame: Frame) -> bool | None:

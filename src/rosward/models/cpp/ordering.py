@@ -33,14 +33,13 @@ def in_order(machine: Machine, values: list[Value], cls: Value | None = None) ->
     """The indices of values in the order of a container of this class, else ascending; None where it is not known, or they cannot be compared."""
     if len(values) < 2:
         return list(range(len(values)))
-    if cls is not None and (is_asked(cls) or any(map(_has_structure, values))):
-        if "unordered" in name_of(cls):
+    asked = cls is not None and is_asked(cls)
+    ranks: list[Any] = [] if asked else [plain(value) for value in values]
+    if asked or any(rank is NOT_PLAIN or rank is None for rank in ranks):
+        if cls is None or "unordered" in name_of(cls) or not (asked or any(map(_has_structure, values))):
             return None
         return by_asking(values, lambda a, b: _is_less(machine, cls, a, b))
     reverse = cls is not None and name_of(_compared(cls)) == "std.greater"
-    ranks: list[Any] = [plain(value) for value in values]
-    if any(rank is NOT_PLAIN or rank is None for rank in ranks):
-        return None
     try:
         return sorted(range(len(values)), key=lambda n: ranks[n], reverse=reverse)
     except TypeError:
@@ -91,7 +90,13 @@ def _compared(cls: Value) -> Value:
 
 def is_asked(cls: Value) -> bool:
     """Whether something of the program says how keys are compared."""
-    return name_of(_compared(cls)) not in _PLAINLY
+    at = _COMPARED.get(cls.name) if isinstance(cls, TypeOf) else None
+    return (
+        at is not None
+        and isinstance(cls, TypeOf)
+        and len(cls.arguments) > at
+        and name_of(cls.arguments[at]) not in _PLAINLY
+    )
 
 
 def _has_structure(value: Value) -> bool:
@@ -158,7 +163,7 @@ def same_key(machine: Machine, cls: Value, a: Value, b: Value) -> bool | None:
 
 def own_key(machine: Machine, obj: Obj, value: Value) -> Value:
     """The key that a container has which is the same to it as another one: that one where it has none; unknown where nobody knows."""
-    if not is_asked(obj.cls) and not any(map(_has_structure, options(value))):
+    if not is_asked(obj.cls) and (value.__class__ is Const or not any(map(_has_structure, options(value)))):
         return value
     unknown = machine.unknown(Cause.OPERATION, "key that the program compares")
 
@@ -183,8 +188,10 @@ def unique(machine: Machine, series: Series, cls: Value, *, several: bool = Fals
     if series.middle is not None or len(series.head) > _MOST:
         return series.loose()
     kept: list[Value] = []
+    asked = is_asked(cls) or any(map(_has_structure, series.head))
     for item in series.head:
-        answers = {same_key(machine, cls, item, other) for other in kept} if not several else set()
+        others = kept if not several else []
+        answers = {same_key(machine, cls, item, o) if asked else equal(machine, item, o) for o in others}
         if True in answers and not _varies(item):
             continue
         if answers - {False} or _varies(item):
