@@ -83,7 +83,7 @@ class Frame:
     `cells` are the heap addresses of own, then captured cells. `namespace` is the class body's heap address, or -1.
     `context` identifies the chain of calls and loop turns that led here; objects made at one place in different contexts are different.
     `op` is the operation that is running.
-    `fresh` is what the last call gave by value, so that nobody else has it.
+    `fresh` is what the last call gave by value, so that nobody else has it; `handed` is that of an argument of the call that runs.
     `uncertain` counts the enclosing branches of which it is not known whether they run. Where a generator runs, `yielded` collects what it
     gives, and `turns` holds for each loop that is running, by the number of the operation, its turn and what it keeps between two of them.
     """
@@ -94,6 +94,7 @@ class Frame:
         "context",
         "exits",
         "fresh",
+        "handed",
         "module",
         "namespace",
         "op",
@@ -121,6 +122,7 @@ class Frame:
         self.sequence = 0  # how many calls and objects the current operation has made
         self.uncertain = 0
         self.fresh: Value = UNBOUND
+        self.handed: Value = UNBOUND
         self.yielded: Yielded | None = None
         self.seen: Activation | None = None  # what is noted of it, where somebody watches
         self.turns: dict[int, tuple[Any, ...]] = {}

@@ -17,11 +17,11 @@ __all__ = ["Argued", "Default", "Elements", "Invoke", "InvokeMember", "MakeLambd
 
 class Argued(NamedTuple):
     """One argument of a call: of kind 'value' (an rvalue that nobody else has), 'slot' (an lvalue), 'result' (of a call or cast: one or the
-    other), or 'pack' (a parameter pack, spread here).
+    other), 'constant' (a variable that is so), 'moved' (an lvalue that may be moved from), or 'pack' (a parameter pack, spread here).
     """
 
     register: int
-    kind: Literal["value", "slot", "result", "pack"] = "value"
+    kind: Literal["value", "slot", "result", "constant", "moved", "pack"] = "value"
 
 
 @final

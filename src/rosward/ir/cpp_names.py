@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal, final
 
 from rosward.ir.core import NO_REGISTER
-from rosward.ir.op import Op
+from rosward.ir.op import Block, Op
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -82,9 +82,12 @@ class CellSlot(Op):
 
 @final
 class Member(Op):
-    """dst = obj.name, or its slot; `obj` is a slot. `arguments`: those of a template (`obj.template f<T>`)."""
+    """dst = obj.name, or its slot; `obj` is a slot. `arguments`: those of a template (`obj.template f<T>`).
 
-    __slots__ = ("arguments", "dst", "name", "obj", "slot")
+    `seen` and `static` are as for `InvokeMember`.
+    """
+
+    __slots__ = ("arguments", "dst", "name", "obj", "seen", "slot", "static")
 
     def __init__(
         self,
@@ -96,6 +99,8 @@ class Member(Op):
         *,
         arguments: tuple[int, ...] | None = None,
         slot: bool = False,
+        seen: Block | None = None,
+        static: int = NO_REGISTER,
     ) -> None:
         super().__init__(line, column)
         self.dst = dst
@@ -103,16 +108,26 @@ class Member(Op):
         self.name = name
         self.arguments = arguments
         self.slot = slot
+        self.seen: Block = seen if seen is not None else []
+        self.static = static
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks that it holds, in the order in which they stand."""
+        return (self.seen,) if self.seen else ()
 
 
 @final
 class Item(Op):
-    """dst = obj[index], or its slot; `obj` is a slot."""
+    """dst = obj[index], or its slot; `obj` is a slot. `constant` as for `InvokeMember`."""
 
-    __slots__ = ("dst", "index", "obj", "slot")
+    __slots__ = ("constant", "dst", "index", "obj", "slot")
 
-    def __init__(self, line: int, column: int, dst: int, obj: int, index: int, *, slot: bool = False) -> None:
+    def __init__(
+        self, line: int, column: int, dst: int, obj: int, index: int, *, slot: bool = False, constant: bool = False
+    ) -> None:
         super().__init__(line, column)
+        self.constant = constant
         self.dst = dst
         self.obj = obj
         self.index = index
@@ -170,14 +185,30 @@ class Read(Op):
 
 @final
 class LocalSymbol(Op):
-    """dst = the class or enum that is declared in a function body."""
+    """dst = the class or enum that is declared in a function body.
 
-    __slots__ = ("dst", "symbol")
+    `names` are those of the body that it mentions, and mean what is in `registers`: the first `types` of them types, constants and packs, the
+    others variables that are the same in each call.
+    """
 
-    def __init__(self, line: int, column: int, dst: int, symbol: Symbol) -> None:
+    __slots__ = ("dst", "names", "registers", "symbol", "types")
+
+    def __init__(
+        self,
+        line: int,
+        column: int,
+        dst: int,
+        symbol: Symbol,
+        names: tuple[str, ...] = (),
+        registers: tuple[int, ...] = (),
+        types: int = 0,
+    ) -> None:
         super().__init__(line, column)
         self.dst = dst
         self.symbol = symbol
+        self.names = names
+        self.registers = registers
+        self.types = types
 
 
 @final

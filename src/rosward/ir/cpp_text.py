@@ -38,7 +38,7 @@ class Printer(Protocol):
         """A line, and a block below it."""
 
 
-_KINDS: Final = {"value": "", "slot": "&", "result": "", "pack": "*"}
+_KINDS: Final = {"value": "", "slot": "&", "result": "", "constant": "", "moved": "", "pack": "*"}
 
 
 def _types(p: Printer, types: tuple[int, ...] | None) -> str:
@@ -47,6 +47,10 @@ def _types(p: Printer, types: tuple[int, ...] | None) -> str:
 
 def _given(p: Printer, arguments: Sequence[cpp.Argued]) -> str:
     return ", ".join(_KINDS[argument.kind] + p.r(argument.register) for argument in arguments)
+
+
+def _given_names(p: Printer, names: Sequence[str], registers: Sequence[int]) -> str:
+    return " with " + ", ".join(f"{n} = {p.r(r)}" for n, r in zip(names, registers, strict=True)) if names else ""
 
 
 def _slot(op: Any) -> str:
@@ -130,7 +134,9 @@ PRINT: Final[Mapping[type, Callable[[Any, Any], str | None]]] = {
     cpp.Read: lambda p, op: f"{p.r(op.dst)} = read {p.r(op.src)}",
     cpp.Assign: _assign,
     cpp.Step: _step,
-    cpp.Copy: lambda p, op: f"{p.r(op.dst)} = copy {p.r(op.src)}",
+    cpp.Copy: lambda p, op: (
+        f"{p.r(op.dst)} = copy {p.r(op.src)}" + (f" as {p.r(op.type)}" if op.type != NO_REGISTER else "")
+    ),
     cpp.Convert: lambda p, op: f"{p.r(op.dst)} = convert {p.r(op.src)} to {p.r(op.type)} {op.kind}",
     cpp.Construct: lambda p, op: f"{p.r(op.dst)} = construct {p.r(op.type)}({_given(p, op.arguments)}) {op.form}",
     cpp.Initialise: _initialise,
@@ -138,7 +144,9 @@ PRINT: Final[Mapping[type, Callable[[Any, Any], str | None]]] = {
     cpp.Narrow: lambda p, op: f"narrow {p.r(op.slot)} from {p.r(op.before)} to {p.r(op.src)}",
     cpp.Elements: lambda p, op: f"{p.r(op.dst)} = elements {p.r(op.src)}{_slot(op)}",
     cpp.Destructure: lambda p, op: f"{p.many(op.dsts)} = parts {p.r(op.src)}{_slot(op)}",
-    cpp.LocalSymbol: lambda p, op: f"{p.r(op.dst)} = local {op.symbol.kind.value} {op.symbol.name}",
+    cpp.LocalSymbol: lambda p, op: (
+        f"{p.r(op.dst)} = local {op.symbol.kind.value} {op.symbol.name}{_given_names(p, op.names, op.registers)}"
+    ),
     cpp.Invoke: lambda p, op: f"{p.r(op.dst)} = invoke {p.r(op.func)}({_given(p, op.arguments)}){_copied(op)}",
     cpp.InvokeMember: _invoke_member,
     cpp.MakeLambda: _make_lambda,

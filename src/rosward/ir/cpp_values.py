@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Literal, final
 
+from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp_calls import Argued
 from rosward.ir.op import Block, Op
 from rosward.records import NamedTuple
@@ -60,20 +61,24 @@ class Step(Op):
 
 @final
 class Copy(Op):
-    """dst = a copy of the value at the slot `src`, for a variable of its own: objects by value are copied, pointers are not followed."""
+    """dst = a copy of the value at the slot `src`, for a variable of its own: objects by value are copied, pointers are not followed.
 
-    __slots__ = ("dst", "src")
+    `type`: of an object of a class that derives from this one, what belongs to this one.
+    """
 
-    def __init__(self, line: int, column: int, dst: int, src: int) -> None:
+    __slots__ = ("dst", "src", "type")
+
+    def __init__(self, line: int, column: int, dst: int, src: int, type_: int = NO_REGISTER) -> None:
         super().__init__(line, column)
         self.dst = dst
         self.src = src
+        self.type = type_
 
 
 @final
 class Convert(Op):
-    """dst = src as a value of a type. `kind`: 'init' of a variable or parameter of that type, 'static', 'dynamic' or 'const' for a cast;
-    'buffer': `char * p = s`, which leads to the first character of the array at the slot `src`.
+    """dst = src as a value of a type. `kind`: 'init' of a variable or parameter of that type, 'value' of one by value, 'static', 'dynamic' or
+    'const' for a cast; 'buffer': `char * p = s`, which leads to the first character of the array at the slot `src`.
     """
 
     __slots__ = ("dst", "kind", "src", "type")
@@ -85,7 +90,7 @@ class Convert(Op):
         dst: int,
         src: int,
         type_: int,
-        kind: Literal["init", "static", "dynamic", "const", "buffer"],
+        kind: Literal["init", "value", "static", "dynamic", "const", "buffer"],
     ) -> None:
         super().__init__(line, column)
         self.dst = dst

@@ -131,6 +131,10 @@ class Symbol(Protocol):
         """What a specialisation is for: `template <> struct Topic<Imu>`."""
 
     @property
+    def instance(self) -> tuple[TypePattern, ...]:
+        """Of a member of a single instance of a template, what that is made of: `template <> int Box<Imu>::size()`."""
+
+    @property
     def inner(self) -> Scope:
         """Of a class or enum: the scope of its members; that of a specialisation is its own."""
 
@@ -178,6 +182,9 @@ class Symbols(Protocol):
 
     def at(self, scope: Scope, name: str) -> Sequence[Symbol]:
         """What a scope declares under a name, over all files of the program, in their order; declarations before definitions elsewhere."""
+
+    def of_instances(self, scope: Scope) -> Mapping[str, Sequence[Symbol]]:
+        """The members that single instances of a class template have instead of those of all: `template <> int Box<Imu>::size()`."""
 
     def used(self, scope: Scope) -> Sequence[Symbol]:
         """The `using namespace` of a scope."""

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
@@ -11,8 +12,10 @@ from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.engine.cpp import calls, members
-from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.categories import of_constness
+from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.natives import run_native
+from rosward.engine.cpp.types import pointee
 from rosward.engine.frame import Frame
 from rosward.models.cpp.memory import pointer_to
 from rosward.models.cpp.slots import read
@@ -40,8 +43,17 @@ def value(machine: Engine, found: Value) -> Value:
     return found if isinstance(found, Overloads) else read(machine, found)
 
 
-def member(machine: Engine, frame: Frame, owner: Value, name: str, types: tuple[Value, ...], *, own: bool) -> Value:
-    """`owner.name`; `own`: of `this`, as its class sees it."""
+def member(
+    machine: Engine,
+    frame: Frame,
+    owner: Value,
+    name: str,
+    types: tuple[Value, ...],
+    *,
+    own: bool,
+    declared: Callable[[], Value] | None = None,
+) -> Value:
+    """`owner.name`; `own`: of `this`, as its class sees it; `declared` gives the type that it, or the pointer to it, is declared with."""
     program = linked(machine)
     lexical = (
         program.info(frame.module)
@@ -53,8 +65,20 @@ def member(machine: Engine, frame: Frame, owner: Value, name: str, types: tuple[
     found: list[Value] = []
     for option in options(read(machine, owner)):
         if option != NONE or len(options(owner)) == 1:
-            found.append(members.member(machine, option, name, types, lexical))
+            seen = lexical if declared is None else _seen(machine, option, name, declared) or lexical
+            found.append(members.member(machine, option, name, types, seen))
     return join_all(found) if found else machine.unknown(Cause.OPERATION, f"member {name} of a null pointer")
+
+
+def _seen(machine: Engine, value: Value, name: str, declared: Callable[[], Value]) -> Info | None:
+    """The class that an object is declared as, where its classes have several fields of that name."""
+    program = linked(machine)
+    info = program.info(machine.obj(value).cls) if isinstance(value, Ref) else None
+    if info is None or name not in info.hidden:
+        return None
+    type_ = declared()
+    target = pointee(type_)
+    return program.info(target if target is not None else type_)
 
 
 def _first(machine: Engine, entry: Slot) -> Value:
@@ -62,8 +86,8 @@ def _first(machine: Engine, entry: Slot) -> Value:
     return read(machine, Slot(pair, "field", "first")) if isinstance(pair, Ref) else pair
 
 
-def item(machine: Engine, owner: Value, index: Value) -> Value:
-    """The slot of `owner[index]`."""
+def item(machine: Engine, owner: Value, index: Value, *, constant: bool = False) -> Value:
+    """The slot of `owner[index]`; `constant`: of an object that is so."""
     held = read(machine, owner)
     found: list[Value] = []
     for option in options(held):
@@ -71,6 +95,8 @@ def item(machine: Engine, owner: Value, index: Value) -> Value:
             found.append(_beyond(machine, option, index))
         elif isinstance(option, Ref) and isinstance(machine.obj(option).cls, Class):
             operator = members.member(machine, option, "operator[]")
+            if isinstance(operator, Overloads):
+                operator = of_constness(operator, constant=constant)
             found.append(calls.invoke(machine, operator, (index,)))
         elif isinstance(option, Ref):
             found.append(_element(machine, option, index))

@@ -27,7 +27,7 @@ from rosward.engine.cpp.handing import decayed, hand_over, is_member
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.opaque import opaque
-from rosward.engine.cpp.overloading import choose
+from rosward.engine.cpp.overloading import choose, fitting
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, type_of
 from rosward.engine.cpp.values import function_of, overloads
@@ -114,6 +114,8 @@ def _of_several(
         if overridden:
             return each_apart(machine, overridden, lambda each: invoke(machine, each, args[1:], types, keywords))
         given = args[1:]
+    if several.receiver is None and args:
+        functions = _of_arguments(machine, several, args) or functions
     chosen = choose(machine, functions, given, types)
     if not chosen:
         return unknown_call(machine, External(several.name), args, types)
@@ -124,6 +126,22 @@ def _of_several(
         return call_function(machine, function, (*receiver, *args), keywords, types)
 
     return one(chosen[0]) if len(chosen) == 1 else each_apart(machine, list(chosen), one)
+
+
+def _of_arguments(machine: Engine, several: Overloads, args: Arguments) -> list[Function]:
+    """The functions of that name in the namespaces of the arguments, where none of those that were found takes them."""
+    first = several.functions[0] if several.functions else None
+    if first is None or linked(machine).info(first.module) is not None:
+        return []
+    if not any(isinstance(machine.obj(a).cls, Class) for a in args if a.__class__ is Ref):
+        return []
+    here, name = linked(machine).scope_of(first.module), several.name.rpartition(".")[2]
+    scopes = [scope for scope in dict.fromkeys(_namespaces(machine, args)) if scope != here]
+    spaces = [names.in_namespace(machine, scope, name, names.seeing(machine)) for scope in scopes]
+    others = [f for found in spaces if found is not None for f in overloads(machine, found, ()).functions]
+    if not others or fitting(machine, several.functions, args):
+        return []
+    return fitting(machine, others, args)
 
 
 def _overridden(machine: Engine, several: Overloads, args: Arguments) -> list[Value]:
@@ -254,7 +272,7 @@ def _of_library(machine: Engine, function: External | TypeOf, args: Arguments, k
 def _by_arguments(machine: Engine, name: str, args: Arguments) -> Value | None:
     """A function of the namespace of an argument."""
     for scope in dict.fromkeys(_namespaces(machine, args)):
-        found = names.in_namespace(machine, scope, name, "")
+        found = names.in_namespace(machine, scope, name, names.seeing(machine))
         if found is not None:
             return overloads(machine, found, ())
         library = External(f"{'.'.join(scope)}.{name}")

@@ -7,31 +7,32 @@ template <> struct Topic<Imu>        is chosen for Topic<Imu>, the general one f
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class, Const, ModuleValue, Unknown, Value
+from rosward.engine.cpp import names
 from rosward.engine.cpp.linked import INSTANCES, Info, linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import flat, match
 from rosward.ir.program import MODEL_PREFIX
 from rosward.ir.symbols import Symbol, SymbolKind, TemplateParameter
-from rosward.models.cpp.copies import COPY, REFERENCES, UNION
+from rosward.models.cpp.copies import ASSIGN, COPY, REFERENCES, UNION
 
 if TYPE_CHECKING:
-    from rosward.engine.cpp.names import Found
     from rosward.engine.machine import Engine
 
-__all__ = ["bind_template", "class_of", "copies", "instance_of", "specialised"]
+__all__ = ["bind_template", "class_of", "copies", "instance_of", "is_copied", "specialised"]
 
 _DEPTH: Final = 60
 
 
-def class_of(machine: Engine, found: Found, types: tuple[Value, ...] | None) -> Value:
+def class_of(machine: Engine, found: names.Found, types: tuple[Value, ...] | None) -> Value:
     """The class that a name stands for, with these template arguments."""
     symbols = [s for s in found.symbols if s.kind is SymbolKind.CLASS]
     general = [s for s in symbols if s.specialises is None]
@@ -45,6 +46,8 @@ def class_of(machine: Engine, found: Found, types: tuple[Value, ...] | None) -> 
     given = tuple(bindings[p.name] for p in first.template)
     for symbol in sorted((s for s in symbols if s.specialises is not None and s.defined), key=_how_special):
         special = specialised(machine, symbol, found.env, given)
+        if special is not None and _is_qualified(symbol):
+            return machine.unknown(Cause.CALL, f"{symbol.name} of what may be constant, or a reference")
         if special is not None:
             return instance_of(machine, symbol, found.env, given, special)
     made = instance_of(machine, first, found.env, given, bindings)
@@ -52,6 +55,11 @@ def class_of(machine: Engine, found: Found, types: tuple[Value, ...] | None) -> 
     if info is not None and types is None:
         info.open = True
     return made
+
+
+def _is_qualified(symbol: Symbol) -> bool:
+    """Whether a specialisation is for references or constants: `Box<T &>`. That is not told of types."""
+    return any((p.reference or p.const) and not p.pointers for p in symbol.specialises or ())
 
 
 def _how_special(symbol: Symbol) -> int:
@@ -99,7 +107,7 @@ def bind_template(
         if parameter.pack:
             rest = types[index:]
             known = deduced.get(parameter.name) if deduced and not rest else None
-            bindings[parameter.name] = known if isinstance(known, Tuple) else Tuple(rest)
+            bindings[parameter.name] = known if isinstance(known, (Tuple, Unknown)) else Tuple(rest)
         elif index < len(types):
             bindings[parameter.name] = types[index]
         elif deduced and parameter.name in deduced:
@@ -115,13 +123,25 @@ def bind_template(
 
 
 def instance_of(
-    machine: Engine, symbol: Symbol, env: ModuleValue, types: tuple[Value, ...], bindings: dict[str, Value]
+    machine: Engine,
+    symbol: Symbol,
+    env: ModuleValue,
+    types: tuple[Value, ...],
+    bindings: dict[str, Value],
+    around: dict[str, Value] | None = None,
+    *,
+    apart: tuple[Value, ...] = (),
 ) -> Value:
-    """The class of a symbol in a scope, for these arguments of its template."""
+    """The class of a symbol in a scope, for these arguments of its template.
+
+    `around`: what names mean that a function has which declares it; those that tell one instance from another are `apart`.
+    """
     program = linked(machine)
-    address = machine.place_key(("class", symbol.key, env.address, types))
+    address = machine.place_key(("class", symbol.key, env.address, (*types, *apart)))
     known = program.infos.get(address)
     if known is not None and known.cls is not None:
+        if around:
+            known.around = around
         return known.cls
     if types:
         count = program.instances[symbol.key] = program.instances.get(symbol.key, 0) + 1
@@ -134,6 +154,7 @@ def instance_of(
     name = f"{outer}.{symbol.name}" if outer else symbol.name
     scope = ModuleValue(address, name, symbol.place.file)
     info = program.infos[address] = Info(symbol, env, scope, symbol.inner, types, bindings)
+    info.around = around or {}
     program.scopes[address] = symbol.inner
     stub = symbol.place.file.startswith(MODEL_PREFIX)
     # its bases may name it (`class Unit : public Reports<Unit>`)
@@ -151,18 +172,50 @@ def instance_of(
         if member.kind is SymbolKind.VARIABLE and not member.static:
             fields.setdefault(member.name or member.key, member)  # one of several that the preprocessor chooses from
     info.fields = tuple(fields.values())
+    for name, several in program.symbols.of_instances(symbol.inner).items() if types else ():
+        own = [s for s in several if _is_for(machine, s, env, types)]
+        if own:
+            info.special[name] = own
     inherited = [i for b in cls.mro[1:] if (i := program.info(b)) is not None]
     above = [v for b in bases if (i := program.info(b)) is not None for v in i.virtual]
     info.virtual = tuple(dict.fromkeys((*above, *(base for base, virtual in marked if virtual))))
     taken = {key for i in inherited for key in i.keys.values()}
     for i in reversed(inherited):
         info.keys.update(i.keys)
+    if inherited:
+        info.hidden = _repeated(f.name for i in (info, *inherited) for f in i.fields)
+    if len(inherited) > 1:
+        info.clashing = _repeated(i.keys[f.name] for i in inherited for f in i.fields)
+        info.doubled = _doubled(machine, bases, inherited)
+        program.clashes = program.clashes or bool(info.clashing)
+    info.shares = any(f.overlaps for f in info.fields) or any(i.shares for i in inherited)
     info.keys.update((f.name, f"{f.name} of {name}" if f.name in taken else f.name) for f in info.fields)
     if machine.own(address) is None:
         machine.put(address, Obj("class", cls, _rules(machine, info, cls)))
     if not stub:
         machine.log.defined(cls)
     return cls
+
+
+def _repeated(names_: Iterable[str]) -> frozenset[str]:
+    """Those that are there several times."""
+    counted = Counter(names_)
+    return frozenset(name for name, count in counted.items() if count > 1)
+
+
+def _doubled(machine: Engine, bases: tuple[Value, ...], inherited: list[Info]) -> frozenset[str]:
+    """The fields of a base that is there several times, since it is no virtual one: of these an object has several."""
+    program = linked(machine)
+    virtual = {base for i in inherited for base in i.virtual}
+    above = [cls for base in bases if isinstance(base, Class) for cls in base.mro if cls not in virtual]
+    twice = [i for cls in dict.fromkeys(above) if above.count(cls) > 1 and (i := program.info(cls)) is not None]
+    return frozenset(key for i in (*inherited, *twice) for key in (i.doubled if i not in twice else i.keys.values()))
+
+
+def _is_for(machine: Engine, symbol: Symbol, env: ModuleValue, types: tuple[Value, ...]) -> bool:
+    """Whether a member is one of the instance with these arguments."""
+    env = ModuleValue(env.address, env.name, symbol.place.file)
+    return tuple(type_of_pattern(machine, env, pattern) for pattern in symbol.instance) == flat(types)
 
 
 def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:
@@ -177,9 +230,30 @@ def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:
         rules[UNION] = Tuple(shared)
     if "node_class" in symbol.marks or "unique" in symbol.marks:
         rules[COPY] = NONE
-    elif copies(machine, info):
+    elif copies(machine, info) or any(is_copied(machine, base) for base in cls.bases):
         rules[COPY] = cls
+    assigning = _assigning(machine, info)
+    if assigning != NONE:
+        rules[ASSIGN] = Tuple((assigning, Tuple(tuple(map(Const, info.keys.values())))))
     return rules
+
+
+def _assigning(machine: Engine, info: Info) -> Value:
+    """The functions by which a class says itself how an object of it is assigned to another; NONE where it has none."""
+    program = linked(machine)
+    found = [s for s in program.symbols.at(info.scope, "operator=") if _takes_itself(info, s)]
+    return program.value_of(machine, names.Found(tuple(found), info.env, info), ()) if found else NONE
+
+
+def _takes_itself(info: Info, symbol: Symbol) -> bool:
+    first = symbol.parameters[0].type if symbol.kind is SymbolKind.FUNCTION and len(symbol.parameters) == 1 else None
+    return first is not None and first.names[-1:] == (info.symbol.name,) and "default" not in symbol.marks
+
+
+def is_copied(machine: Engine, base: Value) -> bool:
+    """Whether a class says how it, or a base of it, is copied."""
+    obj = machine.own(base.address) if isinstance(base, Class) else None
+    return obj is not None and obj.attrs.get(COPY, NONE) != NONE
 
 
 def copies(machine: Engine, info: Info) -> bool:

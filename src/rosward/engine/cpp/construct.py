@@ -14,22 +14,22 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
-from rosward.domain.slots import Slot, TypeOf
+from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.cpp import handing, names, visitors
 from rosward.engine.cpp.binding import deduce
-from rosward.engine.cpp.classes import copies
+from rosward.engine.cpp.classes import copies, is_copied
 from rosward.engine.cpp.constructors import (
     constructors,
     inherited_constructors,
+    inheriting,
     is_copying,
-    least,
     takes,
     takes_list,
 )
-from rosward.engine.cpp.converting import as_wanted, buffer, by_operator, cast, decayed, enumerator
+from rosward.engine.cpp.converting import as_wanted, by_operator, decayed, derives, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.natives import run_native
@@ -46,6 +46,7 @@ from rosward.models.cpp.copies import copied
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.typed import MESSAGE, typed
 from rosward.models.cpp.types import Shape, shape_of
+from rosward.models.cpp.unions import take_member
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -53,8 +54,8 @@ if TYPE_CHECKING:
 __all__ = [
     "DESIGNATED",
     "construct_in_place",
-    "convert",
     "field_default",
+    "is_one",
     "is_type",
     "make",
     "make_of_anything",
@@ -123,9 +124,20 @@ def _message(machine: Engine, type_: Value, args: Sequence[Value]) -> Value:
             return copied(machine, option)
         if isinstance(option, Unknown):
             return typed(machine, option, type_, MESSAGE)
+        if isinstance(option, Ref) and derives(machine.obj(option).cls, type_):
+            return _message_in(machine, option, type_)
         return machine.allocate(Obj("instance", type_), "message")
 
     return lift(one, read(machine, args[0]))
+
+
+def _message_in(machine: Engine, ref: Ref, type_: Value) -> Value:
+    """The message that an object is part of, of a class that derives from it."""
+    obj = machine.obj(ref)
+    infos = [linked(machine).info(cls) for cls in obj.cls.mro] if isinstance(obj.cls, Class) else []
+    own = {key for info in infos if info is not None for key in info.keys.values()}
+    fields = {name: copied(machine, value) for name, value in obj.attrs.items() if name not in own}
+    return machine.allocate(Obj("instance", type_, fields, partial=obj.partial), "message")
 
 
 def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) -> Value:
@@ -140,8 +152,10 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         return of_functions
     if info.open:
         cls, info = _closed(machine, cls, info, args)
-    if len(args) == 1 and _is_one(machine, args[0], cls) and not copies(machine, info):
-        if all(isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))):
+    if len(args) == 1 and is_one(machine, args[0], cls) and not copies(machine, info):
+        if not is_copied(machine, cls) and all(
+            isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))
+        ):
             return copied(machine, args[0])
         ref = machine.allocate(Obj("instance", cls), "object")
         _take_over(machine, ref, cls, args[0])
@@ -193,7 +207,7 @@ def _closed(machine: Engine, cls: Class, info: Info, args: tuple[Value, ...]) ->
     return cls, info
 
 
-def _is_one(machine: Engine, value: Value, cls: Class) -> bool:
+def is_one(machine: Engine, value: Value, cls: Class) -> bool:
     """Whether a value is an object of a class, or of one that derives from it."""
     found = options(read(machine, value))
     return all(isinstance(o, Ref) and isinstance(c := machine.obj(o).cls, Class) and cls in c.mro for o in found)
@@ -213,38 +227,57 @@ def _as_class(machine: Engine, ref: Ref, cls: Class) -> Iterator[None]:
 def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
     """Run the constructor of a class on an object; False where it never ends."""
     assert info.cls is not None
-    if len(args) == 1 and _is_one(machine, args[0], info.cls) and not copies(machine, info):
+    if len(args) == 1 and is_one(machine, args[0], info.cls) and not copies(machine, info):
         _take_over(machine, ref, info.cls, args[0])
         return True
     with _as_class(machine, ref, info.cls):
         functions = [function_of(machine, s, info.env) for s in constructors(machine, info)]
-        inherited = inherited_constructors(machine, info) if args else None
-        if inherited is not None and not any(takes(f, len(args)) for f in functions):
-            return initialise(machine, ref, info, (), {inherited.env.address: args})
-        if not functions:
+        bases = inheriting(machine, info) if args else []
+        inherited = inherited_constructors(machine, bases)
+        if bases and not any(takes(f, len(args)) for f in (*functions, *inherited)):
+            return initialise(machine, ref, info, (), {bases[0].env.address: args})
+        if not functions and not inherited:
             return initialise(machine, ref, info, args, {})
-        chosen = choose(machine, functions, args, ())
+        chosen = choose(machine, [*functions, *inherited], args, ())
+
+        def run(function: Function) -> bool:
+            base = inherited.get(function)
+            if base is not None:
+                return initialise(machine, ref, info, (), {base.env.address: args})
+            return _run(machine, function, ref, info, args)
+
         if len(chosen) == 1:
-            return _run(machine, chosen[0], ref, info, args)
+            return run(chosen[0])
 
         def one(function: Value) -> Value:
             assert isinstance(function, Function)
-            return NONE if _run(machine, function, ref, info, args) else UNBOUND
+            return NONE if run(function) else UNBOUND
 
         return each_apart(machine, list(chosen), one) is not UNBOUND
 
 
 def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
     """What a copy constructor that nobody writes does: the fields of the class and its bases become those of an object that may have more."""
-    objects = [machine.obj(o) for o in options(read(machine, source)) if isinstance(o, Ref)]
+    apart: set[Value] = set()
+    whole = linked(machine).info(cls)
+    for base in linked(machine).bases_to_make(ref, whole) if whole is not None else ():
+        inner = linked(machine).info(base)
+        if inner is not None and isinstance(base, Class) and is_copied(machine, base):
+            construct_in_place(machine, ref, inner, (source,))
+            apart.update(base.mro)
+    objects = [(o, machine.obj(o)) for o in options(read(machine, source)) if isinstance(o, Ref)]
     for each in cls.mro:
+        if each in apart:
+            continue
         own = linked(machine).info(each)
-        for symbol in own.fields if own is not None else ():
-            key = own.keys.get(symbol.name, symbol.name) if own is not None else symbol.name
-            values = [obj.attrs[key] for obj in objects if key in obj.attrs]
+        if own is None:
+            continue
+        for symbol in own.fields:
+            keys = [(obj, linked(machine).key_in(machine, o, own, symbol.name)) for o, obj in objects]
+            values = [obj.attrs[key] for obj, key in keys if key is not None and key in obj.attrs]
             if values:
                 value = join_all(values) if symbol.reference else copied(machine, join_all(values))
-                machine.update(ref, machine.obj(ref).with_attr(key, value))
+                set_field(machine, ref, own, symbol.name, value)
 
 
 def _run(machine: Engine, function: Function, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
@@ -280,7 +313,10 @@ def initialise(
             assert own.cls is not None
             if not construct_in_place(machine, ref, own, inner):
                 return False
+    chosen = False  # of the members of a union, the first is given
     for symbol in info.fields:
+        if chosen and symbol.overlaps:
+            continue
         if symbol.name in named:
             value: Value | None = _field_of(machine, info, symbol, named[symbol.name])
         elif given:
@@ -293,6 +329,9 @@ def initialise(
             return False
         if value is not None:
             set_field(machine, ref, info, symbol.name, value)
+            if symbol.overlaps and args:
+                chosen = True
+                take_member(machine, ref, info.keys[symbol.name])
     return True
 
 
@@ -326,45 +365,6 @@ def _first_of_field(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Va
 
 def set_field(machine: Engine, ref: Ref, info: Info, name: str, value: Value) -> None:
     """The first value of a field."""
-    machine.update(ref, machine.obj(ref).with_attr(info.keys.get(name, name), value))
-
-
-def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
-    """A value as one of a type: what a parameter or variable of that type holds, or a cast makes."""
-    held = read(machine, value)
-    if kind == "buffer":
-        return buffer(value, held)
-    target = pointee(type_)
-    if kind == "dynamic" or (target is not None and isinstance(target, Class)):
-        return cast(machine, held, target if target is not None else type_, kind)
-    if not isinstance(type_, Class):
-        if isinstance(type_, Unknown) or is_message(type_):
-            return _message_of(machine, held, type_)
-        if is_enumeration(machine, type_):
-            return enumerator(machine, dotted(type_), (held,), "copy")
-        return convert_plain(machine, lift(lambda v: by_operator(machine, v, type_), held), type_, kind)
-    found: list[Value] = []
-    for option in options(held):
-        if _is_one(machine, option, type_) or isinstance(option, Unknown) or kind != "init":
-            found.append(option)
-        else:
-            found.append(_converted(machine, option, type_))
-
-    return join_all(found)
-
-
-def _message_of(machine: Engine, value: Value, type_: Value) -> Value:
-    return make(machine, type_, (), "default") if isinstance(value, Tuple) and is_message(type_) else value
-
-
-def _converted(machine: Engine, value: Value, type_: Class) -> Value:
-    """An object that is made of a value implicitly; the value itself where no constructor takes it."""
-    if isinstance(value, Tuple):
-        return make(machine, type_, (value,), "brace-copy")
-    info = linked(machine).info(type_)
-    if info is None or isinstance(value, Slot):
-        return value
-    fitting = any(
-        least(s) <= 1 <= len(s.parameters) or any(p.pack for p in s.parameters) for s in constructors(machine, info)
-    )
-    return make(machine, type_, (value,), "copy") if fitting else value
+    program = linked(machine)
+    key = program.key_in(machine, ref, info, name) if program.clashes else info.keys.get(name)
+    machine.update(ref, machine.obj(ref).with_attr(key or name, value))

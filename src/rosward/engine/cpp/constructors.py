@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 from rosward.domain.values import Function
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.thunks import evaluate
+from rosward.engine.cpp.values import function_of
 from rosward.ir.symbols import Symbol, SymbolKind
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["constructors", "inherited_constructors", "is_copying", "least", "takes", "takes_list"]
+__all__ = ["constructors", "inherited_constructors", "inheriting", "is_copying", "least", "takes", "takes_list"]
 
 
 def constructors(machine: Engine, info: Info) -> list[Symbol]:
@@ -48,11 +49,22 @@ def is_copying(info: Info, symbol: Symbol) -> bool:
     return first is not None and first.names[-1:] == (info.symbol.name,) and bool(first.reference)
 
 
-def inherited_constructors(machine: Engine, info: Info) -> Info | None:
-    """The base of which a class has the constructors: `using Base::Base`."""
+def inheriting(machine: Engine, info: Info) -> list[Info]:
+    """The bases of which a class has the constructors: `using Base::Base`."""
+    found: list[Info] = []
     for symbol in info.symbol.members:
         if symbol.kind is SymbolKind.USING and symbol.code is not None:
             base = linked(machine).info(evaluate(machine, symbol.code, info.env))
             if base is not None and symbol.target[-1:] in ((base.symbol.name,), symbol.target[-2:-1]):
-                return base
-    return None
+                found.append(base)
+    return found
+
+
+def inherited_constructors(machine: Engine, bases: list[Info]) -> dict[Function, Info]:
+    """The constructors that a class has of its bases, those that these have of theirs among them."""
+    found: dict[Function, Info] = {}
+    for base in bases:
+        own = [function_of(machine, s, base.env) for s in constructors(machine, base) if not is_copying(base, s)]
+        above = inherited_constructors(machine, inheriting(machine, base))
+        found.update(dict.fromkeys((*own, *above), base))
+    return found

@@ -26,7 +26,7 @@ from rosward.models.cpp.slots import read
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["as_wanted", "buffer", "by_operator", "cast", "decayed", "enumerator"]
+__all__ = ["as_wanted", "buffer", "by_operator", "cast", "decayed", "derives", "enumerator"]
 
 
 def enumerator(machine: Engine, enumeration: str, args: Sequence[Value], form: Form) -> Value:
@@ -59,7 +59,7 @@ def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
         for symbol in own.symbol.members if own is not None else ():
             if own is None or not symbol.name.startswith("operator "):
                 continue
-            if symbol.name.rpartition(":")[2].split()[-1] == wanted:
+            if symbol.name.rstrip("& ").rpartition(":")[2].split()[-1] == wanted:
                 functions = linked(machine).symbols.at(own.scope, symbol.name)
                 found = value_of(machine, names.Found(tuple(functions), own.env, own), None)
                 return machine.call(found.of(value), ()) if isinstance(found, Overloads) else value
@@ -67,7 +67,8 @@ def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
 
 
 def cast(machine: Engine, value: Value, target: Value, kind: str) -> Value:
-    """A pointer or reference to another class of the same object; `dynamic_cast` gives null where the object is none of that class."""
+    """A pointer or reference to another class of the same object; `dynamic_cast` gives null where the object is none of that class,
+    of a reference as well: nothing goes on there."""
     if kind != "dynamic":
         return value
     kept: list[Value] = []
@@ -81,7 +82,7 @@ def cast(machine: Engine, value: Value, target: Value, kind: str) -> Value:
         elif known and isinstance(target, Class):
             kept.append(NONE)
         else:
-            kept += [option, NONE] if isinstance(option, Pointer) else [option]
+            kept += [option, NONE]
     return join_all(kept)
 
 
@@ -104,3 +105,8 @@ def _is_text(value: Value) -> bool:
         or (isinstance(o, Unknown) and o.hint == "str")
         for o in options(value)
     )
+
+
+def derives(cls: Value, type_: Value) -> bool:
+    """Whether a class has another one as a base."""
+    return isinstance(cls, Class) and cls != type_ and type_ in cls.mro

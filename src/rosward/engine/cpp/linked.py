@@ -30,12 +30,32 @@ INSTANCES: Final = 400
 class Info:
     """A class at run time: its symbol, the scope of its members, what its template parameters stand for, its bases and fields.
 
-    `keys` says under which name each field stands in an object: two fields of one name in a class and its base are two.
-    `open`: a template of which the arguments are not known yet (they follow from a constructor). `virtual`: its virtual bases, those of
-    its bases, too.
+    `keys` says under which name each field stands in an object: two fields of one name in a class and its base are two. `clashing` are
+    those that several of its bases have under one name, `doubled` those of a base that is there several times, and `hidden` those of which
+    one is seen or another, as the object is declared. `around`: names of the function that declares the class. `special`: members of this
+    instance of a template alone. `shares`: it is, or has in it, a union. `open`: a template of which the arguments are not known yet (they
+    follow from a constructor). `virtual`: its virtual bases, those of its bases, too.
     """
 
-    __slots__ = ("bindings", "cls", "env", "fields", "keys", "open", "outer", "scope", "symbol", "types", "virtual")
+    __slots__ = (
+        "around",
+        "bindings",
+        "clashing",
+        "cls",
+        "doubled",
+        "env",
+        "fields",
+        "hidden",
+        "keys",
+        "open",
+        "outer",
+        "scope",
+        "shares",
+        "special",
+        "symbol",
+        "types",
+        "virtual",
+    )
 
     def __init__(
         self,
@@ -52,6 +72,12 @@ class Info:
         self.scope = scope
         self.types = types
         self.bindings = bindings
+        self.around: dict[str, Value] = {}
+        self.shares = False
+        self.clashing = frozenset[str]()
+        self.doubled = frozenset[str]()
+        self.hidden = frozenset[str]()
+        self.special: dict[str, list[Symbol]] = {}
         self.open = False
         self.fields: tuple[Symbol, ...] = ()
         self.keys: dict[str, str] = {}
@@ -64,10 +90,12 @@ class Linked:
     """A program and its classes, functions and scopes; none of it depends on what the program does."""
 
     __slots__ = (
+        "clashes",
         "constants",
         "constructing",
         "enumerations",
         "evaluating",
+        "fields",
         "firsts",
         "fixed",
         "found",
@@ -89,6 +117,7 @@ class Linked:
         self.symbols = symbols
         self.value_of = value_of
         self.scopes: dict[int, Scope] = {}
+        self.clashes = False  # whether any class has fields of one name from several bases
         self.hiding: dict[tuple[int, str], bool] = {}  # which classes hide functions of their bases
         self.infos: dict[int, Info] = {}  # by the address of the class, which is that of its scope
         self.instances: dict[str, int] = {}  # how many of each template there are
@@ -104,6 +133,7 @@ class Linked:
         self.firsts: dict[
             tuple[str, int], tuple[Value, tuple[tuple[int, Obj], ...]]
         ] = {}  # the values of constants, with the objects that were made for them
+        self.fields: dict[tuple[int, str], Value] = {}  # the types of fields, by class and the name in its objects
         self.enumerations: dict[str, bool] = {}  # which types are enumerations
         self.evaluating: set[tuple[str, int]] = set()
         self.constructing: list[
@@ -132,6 +162,18 @@ class Linked:
             if address == ref.address:
                 return cls
         return machine.obj(ref).cls
+
+    def key_in(self, machine: Engine, ref: Ref, seen: Info, name: str) -> str | None:
+        """Under which name an object has a field, as a class of it sees it; None where it has no such field."""
+        key = seen.keys.get(name)
+        whole = self.info(machine.obj(ref).cls) if key is not None else None
+        if key is None or whole is None or key not in whole.clashing:
+            return key
+        for cls in seen.cls.mro if seen.cls is not None else ():
+            own = self.info(cls)
+            if own is not None and any(f.name == name for f in own.fields):
+                return f"{key} of {own.env.name}"
+        return key
 
     def bases_to_make(self, ref: Ref, info: Info) -> tuple[Value, ...]:
         """The bases that a constructor makes of an object: virtual ones first, but only where the object is of no further class."""

@@ -17,9 +17,11 @@ from rosward.domain.values import UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.engine.cpp import assumed_nodes, names
 from rosward.engine.cpp.handing import is_foreign
 from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.types import is_message
 from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.slots import read
+from rosward.models.cpp.unions import take_member
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -53,9 +55,12 @@ def member(
     seen = info
     if lexical is not None and lexical.cls is not None and isinstance(cls, Class) and lexical.cls in cls.mro:
         seen = lexical
-    key = seen.keys.get(name, info.keys.get(name))
+    of = seen if name in seen.keys else info
+    key = of.keys.get(name)
     if key is not None:
-        return _field(machine, owner, key)
+        if program.clashes:
+            key = program.key_in(machine, owner, of, name) or key
+        return _field(machine, owner, key, info)
     found = names.in_class(machine, seen, name)
     if (
         found is not None
@@ -107,8 +112,12 @@ def designated(machine: Engine, value: Partial, args: tuple[Value, ...]) -> Valu
     return members(machine, objects, str(name.value) if isinstance(name, Const) else "")
 
 
-def _field(machine: Engine, owner: Ref, key: str) -> Value:
+def _field(machine: Engine, owner: Ref, key: str, info: Info) -> Value:
     """The slot of a field; an object that stands there itself; where a reference leads."""
+    if key in info.doubled:
+        return machine.unknown(Cause.OPERATION, f"field `{key}` of several bases")
+    if info.shares:
+        take_member(machine, owner, key)
     held = machine.obj(owner).attrs.get(key, UNBOUND)
     if held is not UNBOUND and all(isinstance(o, (Ref, Slot)) for o in options(held)):
         return held
@@ -128,6 +137,8 @@ def is_virtual(machine: Engine, info: Info, name: str) -> bool:
 def _from_outside(machine: Engine, owner: Ref, cls: Value, name: str, types: tuple[Value, ...]) -> Value:
     """What no class of the program has, a base from elsewhere may: a native, with the object, where there is one."""
     outside = [b for b in cls.mro if not isinstance(b, Class)] if isinstance(cls, Class) else []
+    if any(map(is_message, outside)):
+        return Slot(owner, "field", name)
     libraries = [External(f"{b.name}.{name}") for b in outside if isinstance(b, (External, TypeOf))]
     for function in libraries:
         if machine.library.native(function.name) is not None:

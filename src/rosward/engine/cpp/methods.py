@@ -18,9 +18,9 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.cpp import access, assumed_nodes, calls, members, names, operators
+from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
-from rosward.engine.cpp.overloading import of_constness
 from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import overloads
 from rosward.engine.frame import Frame
@@ -169,16 +169,30 @@ def _of_scope(machine: Engine, value: Ref, name: str, types: tuple[Value, ...], 
     return overloads(machine, found, types, value) if found is not None else None
 
 
-def destroy(machine: Engine, ref: Ref) -> bool:
-    """An object ends: the destructors of its class and its bases run; False where one never ends."""
+_NESTED: Final = 6
+"""How deep in an object the ends of what it holds are followed."""
+
+
+def destroy(machine: Engine, ref: Ref, depth: int = 0) -> bool:
+    """An object ends: the destructors of its class, of what it holds by value, and of its bases run; False where one never ends."""
     program = linked(machine)
-    cls = machine.obj(ref).cls
-    for each in cls.mro if isinstance(cls, Class) else ():
+    obj = machine.obj(ref)
+    if obj.kind == "list" and obj.items and depth < _NESTED:
+        items = reversed(obj.items) if name_of(obj.cls) == "std.array" else obj.items
+        return all(destroy(machine, item, depth + 1) for item in items if isinstance(item, Ref))
+    for each in obj.cls.mro if isinstance(obj.cls, Class) else ():
         info = program.info(each)
-        symbols = program.symbols.at(info.scope, f"~{info.symbol.name}") if info is not None else ()
-        if info is not None and symbols:
+        if info is None:
+            continue
+        symbols = program.symbols.at(info.scope, f"~{info.symbol.name}")
+        if symbols:
             function = overloads(machine, names.Found(tuple(symbols), info.env, info), (), ref)
             if calls.invoke(machine, function, ()) is UNBOUND:
+                return False
+        for symbol in reversed(info.fields) if depth < _NESTED else ():
+            key = program.key_in(machine, ref, info, symbol.name)
+            held = machine.obj(ref).attrs.get(key) if key is not None and not symbol.reference else None
+            if isinstance(held, Ref) and not destroy(machine, held, depth + 1):
                 return False
     return True
 

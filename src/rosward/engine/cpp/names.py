@@ -23,7 +23,7 @@ from rosward.records import NamedTuple
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["Found", "Part", "in_class", "in_namespace", "outer_of", "resolve", "unqualified"]
+__all__ = ["Found", "Part", "in_class", "in_namespace", "outer_of", "resolve", "seeing", "unqualified"]
 
 _SOURCES: Final = (".cpp", ".cc", ".cxx", ".C", ".c++")
 _DEPTH: Final = 30
@@ -88,6 +88,8 @@ def _unqualified(
             if named is not None:
                 return named
             found = in_class(machine, info, name)
+            if found is None and name in info.around:
+                return info.around[name]
         else:
             found = in_namespace(machine, program.scope_of(here), name, env.file)
             if found is None and not program.scope_of(here):
@@ -133,7 +135,9 @@ def in_class(machine: Engine, info: Info, name: str) -> Found | None:
         own = program.info(each)
         if own is None:
             continue
-        symbols = [s for s in program.symbols.at(own.scope, name) if not _names_constructors(s)]
+        symbols = own.special.get(name) or [
+            s for s in program.symbols.at(own.scope, name) if not _names_constructors(s)
+        ]
         if symbols:
             return Found(tuple(symbols), own.env, own)
         if name in own.bindings:
@@ -163,6 +167,11 @@ def in_namespace(machine: Engine, scope: Scope, name: str, file: str, depth: int
                 if found is not None:
                     return found
     return None
+
+
+def seeing(machine: Engine) -> str:
+    """The file of the code that runs: what a source keeps to itself is seen from there."""
+    return machine.frames[-1].code.file if machine.frames else ""
 
 
 def _used(machine: Engine, scope: Scope, used: Symbol) -> Scope | None:
@@ -210,6 +219,8 @@ def _first(machine: Engine, env: ModuleValue, name: str, *, absolute: bool) -> S
             found = in_class(machine, info, name)
             if found is not None and _is_scope(found):
                 return found
+            if name in info.around:
+                return info.around[name]
         else:
             step = _in_namespace_step(machine, program.scope_of(here), name, env.file)
             if step is not None:

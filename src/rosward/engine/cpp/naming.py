@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import External, Partial
-from rosward.domain.slots import Overloads, TypeOf
+from rosward.domain.slots import Overloads, Slot, TypeOf
 from rosward.domain.values import NONE, Class, ModuleValue, Ref, Unknown, Value
 from rosward.engine.cpp import access, members, names
+from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.names import Found
-from rosward.engine.cpp.overloading import of_constness
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.engine.frame import Frame
@@ -122,5 +122,5 @@ def _not_declared(machine: Engine, frame: Frame, found: Value) -> Value:
         return found
     types = found.arguments if isinstance(found, TypeOf) else ()
     inherited = [members.member(machine, this, found.name, types) for this in this_of(frame)]
-    usable = [i for i in inherited if isinstance(i, (External, Overloads, Partial))]
+    usable = [i for i in inherited if isinstance(i, (External, Overloads, Partial, Slot))]
     return join_all(usable) if usable else found

@@ -12,21 +12,24 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Tuple
-from rosward.domain.slots import Overloads, Pointer
+from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
-from rosward.engine.cpp import calls, construct, members, names
+from rosward.engine.cpp import as_type, calls, construct, members, names
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
-from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.linked import linked, record
 from rosward.engine.cpp.natives import run_native
+from rosward.engine.cpp.overloading import fitting
 from rosward.engine.cpp.patterns import type_of_pattern
+from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
-from rosward.models.cpp.copies import copied, write
+from rosward.models.cpp.conversions import convert
+from rosward.models.cpp.copies import ASSIGN, copied, write
 from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import name_of
+from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -39,18 +42,34 @@ def _own(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
     first = read(machine, args[0])
     if not any(_is_object(machine, a) for a in args):
         return _of_enumeration(machine, operator, args)
-    if _is_object(machine, first):
-        found = members.member(machine, first, f"operator{operator}") if isinstance(first, Ref) else None
-        if isinstance(found, Overloads):
-            return calls.invoke(machine, found, tuple(args[1:]))
+    found = members.member(machine, first, f"operator{operator}") if _is_object(machine, first) else None
+    own = found if isinstance(found, Overloads) else None
+    if own is not None and (len(own.functions) > 1 or len(args) > 1) and not fitting(machine, own.functions, args[1:]):
+        free = _free(machine, operator, args)
+        if free is not None and fitting(machine, free.functions, args):
+            return calls.invoke(machine, free, tuple(args))
+    if own is not None:
+        return calls.invoke(machine, own, tuple(args[1:]))
+    free = _free(machine, operator, args)
+    return None if free is None else calls.invoke(machine, free, tuple(args))
+
+
+def _free(machine: Engine, operator: str, args: Sequence[Value]) -> Overloads | None:
+    """The operators of the namespaces of the operands: the first that has some that take them, else the first that has any."""
+    several: list[Overloads] = []
     for arg in args:
         cls = type_of(machine, arg)
         for each in cls.mro if isinstance(cls, Class) else ():
             info = linked(machine).info(each)
-            found_in = names.in_namespace(machine, info.symbol.scope, f"operator{operator}", "") if info else None
-            if found_in is not None:
-                return calls.invoke(machine, overloads(machine, found_in, ()), tuple(args))
-    return None
+            scope = info.symbol.scope if info is not None else None
+            if scope is None:
+                continue
+            found = names.in_namespace(machine, scope, f"operator{operator}", names.seeing(machine))
+            if found is not None:
+                several.append(overloads(machine, found, ()))
+    if len(several) > 1:
+        several = [each for each in several if fitting(machine, each.functions, args)] or several
+    return several[0] if several else None
 
 
 def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
@@ -58,7 +77,9 @@ def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Va
     for arg in args:
         enumeration = enumeration_of(read(machine, arg))
         scope = scope_of(enumeration)
-        found = names.in_namespace(machine, scope, f"operator{operator}", "") if enumeration else None
+        found = (
+            names.in_namespace(machine, scope, f"operator{operator}", names.seeing(machine)) if enumeration else None
+        )
         if found is None:
             continue
         several = overloads(machine, found, ())
@@ -128,7 +149,7 @@ def truth(machine: Engine, value: Value) -> bool | None:
 
 def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     """`slot operator src`; the slot, or UNBOUND where it never ends."""
-    own = _own(machine, operator, (slot, src)) if operator != "=" or not _same_class(machine, slot) else None
+    own = _own(machine, operator, (slot, src)) if operator != "=" or _says_itself(machine, slot, src) else None
     if own is not None:
         return own if own is UNBOUND else slot
     if operator != "=":
@@ -136,13 +157,51 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
         if value is UNBOUND:
             return UNBOUND
         if not isinstance(slot, Ref) or value != slot:
-            write(machine, slot, value)
+            write(machine, slot, _as_declared(machine, slot, value) if _is_large(value) else value)
         return slot
     if isinstance(slot, Ref):
         return _object(machine, slot, src)
     value = decayed(machine, src)
-    write(machine, slot, copied(machine, value) if not isinstance(value, Unknown) else value)
+    if value.__class__ is not Unknown:
+        value = copied(machine, value)
+    write(machine, slot, _as_declared(machine, slot, value) if _is_large(value) else value)
     return slot
+
+
+_PLAIN: Final = 128
+"""Smaller whole numbers are the same in all types."""
+
+
+def _is_large(value: Value) -> bool:
+    return value.__class__ is Const and type(value.value) is int and not 0 <= value.value < _PLAIN
+
+
+def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
+    """A whole number as the field or element has it in which it is kept."""
+    if not isinstance(slot, Slot) or not isinstance(slot.base, Ref):
+        return value
+    cls = machine.obj(slot.base).cls
+    if slot.kind == "field" and isinstance(cls, Class) and isinstance(slot.key, str):
+        type_ = _field_type(machine, cls, slot.key)
+    elif slot.kind == "item" and isinstance(cls, TypeOf):
+        type_ = argument(cls, 1 if machine.obj(slot.base).kind == "dict" else 0)
+    else:
+        return value
+    return convert(machine, value, type_) if shape_of(type_) is Shape.INT else value
+
+
+def _field_type(machine: Engine, cls: Class, key: str) -> Value:
+    """The type that a field is declared with, by the name under which it stands in an object."""
+    program = linked(machine)
+    known = program.fields.get((cls.address, key))
+    if known is None:
+        infos = [info for each in cls.mro if (info := program.info(each)) is not None]
+        found = [(info, f) for info in infos for f in info.fields if info.keys[f.name] == key]
+        info, symbol = found[0] if found else (None, None)
+        written = symbol.type if symbol is not None else None
+        known = evaluate(machine, written, info.env) if info is not None and written is not None else NONE
+        program.fields[cls.address, key] = known
+    return known
 
 
 def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:
@@ -155,12 +214,12 @@ def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:
     return done if done is UNBOUND else slot if prefix else before
 
 
-def _same_class(machine: Engine, slot: Value) -> bool:
-    """Whether an object is assigned to another one of its class, which has no `operator=` of its own."""
-    if not isinstance(slot, Ref):
-        return True
-    info = linked(machine).info(machine.obj(slot).cls)
-    return info is None or names.in_class(machine, info, "operator=") is None
+def _says_itself(machine: Engine, slot: Value, src: Value) -> bool:
+    """Whether the class of an object says itself what is assigned to it: that of its bases assigns to their part alone."""
+    info = linked(machine).info(machine.obj(slot).cls) if isinstance(slot, Ref) else None
+    if info is None or info.cls is None or not linked(machine).symbols.at(info.scope, "operator="):
+        return False
+    return ASSIGN in record(machine, info.cls.address).attrs or not construct.is_one(machine, src, info.cls)
 
 
 def _object(machine: Engine, ref: Ref, src: Value) -> Value:
@@ -172,7 +231,7 @@ def _object(machine: Engine, ref: Ref, src: Value) -> Value:
     value = read(machine, src)
     if isinstance(value, (Tuple, Const, Pointer)) or not all(isinstance(o, Ref) for o in options(value)):
         if not isinstance(value, Unknown):
-            value = construct.convert(machine, value, cls, "init")
+            value = as_type.convert(machine, value, cls, "init")
             if isinstance(value, Tuple):
                 value = construct.make(machine, cls, (value,), "brace-copy")
     if value is UNBOUND:

@@ -15,6 +15,7 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.slots import Overloads, Pointer, TypeOf, is_char_text
 from rosward.domain.values import Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.engine.cpp.binding import deduce
+from rosward.engine.cpp.categories import by_category, same_parameters
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.enumerations import enumeration_of
 from rosward.engine.cpp.linked import linked
@@ -28,7 +29,7 @@ from rosward.models.cpp.traits import NO_TYPE
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["choose", "fit", "of_constness"]
+__all__ = ["choose", "fit", "fitting"]
 
 _EXACT: Final = 5
 _NEAR: Final = 4
@@ -58,38 +59,35 @@ def choose(
     if not scores:
         return by_number
     best = _enabled(machine, [f for f, s in scores if not any(_better(other, s) for _, other in scores)], args, types)
+    best = by_category(machine, best, args) if len(best) > 1 else best
     if len(set(map(_is_template, best))) > 1:  # one takes a weak pointer, the other anything
         return [f for f in best if not f.code.is_stub] or best
     return best if any(isinstance(o, Unknown) for v in values for o in options(v)) else _versions(machine, best)
 
 
-def of_constness(several: Overloads, *, constant: bool) -> Overloads:
-    """The functions that are for a constant object, or of two that differ in nothing else, the one for any other."""
-    own = [f.code.signature for f in several.functions]
-    if len(own) < 2 or not any(s is not None and s.constant for s in own) or all(s is None or s.constant for s in own):
-        return several
-    if constant:
-        kept = [f for f, s in zip(several.functions, own, strict=True) if s is None or s.constant or not s.leading]
-    else:
-        others = [s for s in own if s is not None and not s.constant]
-        kept = [
-            f
-            for f, s in zip(several.functions, own, strict=True)
-            if s is None or not s.constant or not any(_same(s, other) for other in others)
-        ]
-    return several.only(tuple(kept)) if kept else several
+def fitting(machine: Engine, functions: Sequence[Function], args: Sequence[Value]) -> list[Function]:
+    """Those that may be called with arguments of which something is known."""
+    values = [read(machine, a) for a in args]
+    by_number = [f for f in functions if _takes(f.code.signature, len(args), 0)]
+    return [f for f in by_number if _score(machine, f, values, ()) is not None]
 
 
 def _versions(machine: Engine, best: list[Function]) -> list[Function]:
     """The first, and the others of which the preprocessor may leave one in its place."""
     unsure = linked(machine).unsure
     first = best[0]
-    alike = all(_same(f.code.signature, first.code.signature) for f in best) or any(map(_is_constrained, best))
+    alike = all(same_parameters(f.code.signature, first.code.signature) for f in best) or any(
+        map(_is_constrained, best)
+    )
     if len(best) > 1 and alike and all(map(_is_template, best)):
         return best  # what tells them apart is a constraint that nobody sees
     if first.code.key not in unsure:
         return [first]
-    return [f for f in best if f is first or (f.code.key in unsure and _same(f.code.signature, first.code.signature))]
+    return [
+        f
+        for f in best
+        if f is first or (f.code.key in unsure and same_parameters(f.code.signature, first.code.signature))
+    ]
 
 
 def _is_template(function: Function) -> bool:
@@ -128,12 +126,6 @@ def _is_enabled(machine: Engine, function: Function, args: tuple[Value, ...], ty
     symbol = linked(machine).templates.get(function.code.key)
     result = symbol.type if symbol is not None else None
     return result is None or evaluate(machine, result, env, types=tuple(given)) != NO_TYPE
-
-
-def _same(one: Signature | None, other: Signature | None) -> bool:
-    if one is None or other is None:
-        return one is other
-    return [p.type for p in one.parameters] == [p.type for p in other.parameters]
 
 
 def _takes(signature: Signature | None, count: int, types: int) -> bool:
@@ -276,8 +268,10 @@ def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value
         return _characters(machine, value, type_, name, target)
     words = set(name.replace("std.", "").split())
     if own == STRING:
-        if name in _TEXTS or (target is not None and dotted(target) == "char"):
+        if name in _TEXTS:
             return _EXACT
+        if target is not None and dotted(target) == "char":
+            return _NEAR if isinstance(value, Const) else _EXACT
         if words & _INTEGERS:
             return _CONVERTED if isinstance(value, Const) and len(str(value.value)) == 1 else _NEVER
     elif own in (TypeOf("int", ()), TypeOf("bool", ()), TypeOf("double", ())):

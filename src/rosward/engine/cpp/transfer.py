@@ -13,8 +13,8 @@ from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
-from rosward.engine.cpp import access, calls, construct, initialising, methods, naming, narrowing, operators
+from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Value
+from rosward.engine.cpp import access, as_type, calls, construct, initialising, methods, naming, narrowing, operators
 from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.packs import items_of
 from rosward.engine.cpp.types import pointer_to, type_of
@@ -72,13 +72,18 @@ def _cell_slot(machine: Engine, op: cpp.CellSlot, frame: Frame) -> None:
 def _member(machine: Engine, op: cpp.Member, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     types = access.types_of(frame, op.arguments)
-    found = access.member(machine, frame, frame.registers[op.obj], op.name, types, own=op.obj == 0)
+
+    def declared() -> Value:
+        return frame.registers[op.static] if machine.run(op.seen, frame) else UNBOUND
+
+    seen = declared if op.seen else None
+    found = access.member(machine, frame, frame.registers[op.obj], op.name, types, own=op.obj == 0, declared=seen)
     return _kept(frame, op.dst, found if op.slot else access.value(machine, found))
 
 
 def _item(machine: Engine, op: cpp.Item, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    found = access.item(machine, frame.registers[op.obj], frame.registers[op.index])
+    found = access.item(machine, frame.registers[op.obj], frame.registers[op.index], constant=op.constant)
     return _kept(frame, op.dst, found if op.slot or found is UNBOUND else access.value(machine, found))
 
 
@@ -117,7 +122,14 @@ def _step(machine: Engine, op: cpp.Step, frame: Frame) -> bool | None:
 def _copy(machine: Engine, op: cpp.Copy, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     value = frame.registers[op.src]
-    return _kept(frame, op.dst, value if value is UNBOUND else copied(machine, value)) if value is not UNBOUND else None
+    if value is UNBOUND:
+        return None
+    if op.type == ops.NO_REGISTER or frame.registers[op.type].__class__ is TypeOf:
+        return _kept(frame, op.dst, copied(machine, value))
+    type_ = frame.registers[op.type]
+    held = read(machine, value)
+    sliced = held.__class__ in (Ref, Choice) and as_type.is_of_another(machine, held, type_)
+    return _kept(frame, op.dst, as_type.as_one(machine, held, type_) if sliced else copied(machine, held))
 
 
 def _convert(machine: Engine, op: cpp.Convert, frame: Frame) -> bool | None:
@@ -126,13 +138,14 @@ def _convert(machine: Engine, op: cpp.Convert, frame: Frame) -> bool | None:
     if value is UNBOUND:
         frame.registers[op.dst] = value
         return None
-    return _kept(frame, op.dst, construct.convert(machine, value, frame.registers[op.type], op.kind))
+    return _kept(frame, op.dst, as_type.convert(machine, value, frame.registers[op.type], op.kind))
 
 
 def _construct(machine: Engine, op: cpp.Construct, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     type_ = frame.registers[op.type]
     args = given(frame, op.arguments)
+    frame.handed = frame.fresh
     fresh = initialising.is_fresh(frame, op.arguments, args)
     value = initialising.made(machine, type_, args, op.form, fresh=fresh)
     frame.op, frame.sequence = op, 0
@@ -147,7 +160,7 @@ def _initialise(machine: Engine, op: cpp.Initialise, frame: Frame) -> bool | Non
 def _invoke(machine: Engine, op: cpp.Invoke, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     args = given(frame, op.arguments)
-    frame.fresh = UNBOUND
+    frame.handed, frame.fresh = frame.fresh, UNBOUND
     value = calls.invoke(machine, frame.registers[op.func], args)
     return _result(machine, frame, op, value)
 
@@ -159,7 +172,7 @@ def _invoke_member(machine: Engine, op: cpp.InvokeMember, frame: Frame) -> bool 
     args = given(frame, op.arguments)
     types = access.types_of(frame, op.types)
     scope = frame.registers[op.scope] if op.scope != ops.NO_REGISTER else None
-    frame.fresh = UNBOUND
+    frame.handed, frame.fresh = frame.fresh, UNBOUND
     obj = frame.registers[op.obj]
 
     def declared() -> Value:
@@ -311,7 +324,10 @@ def _local_symbol(machine: Engine, op: cpp.LocalSymbol, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     symbol = op.symbol
     if symbol.kind is SymbolKind.CLASS:
-        frame.registers[op.dst] = instance_of(machine, symbol, frame.module, (), {})
+        held = [frame.registers[r] for r in op.registers]
+        around = dict(zip(op.names, held, strict=True))
+        cls = instance_of(machine, symbol, frame.module, (), {}, around, apart=tuple(held[: op.types]))
+        frame.registers[op.dst] = cls
     else:
         frame.registers[op.dst] = External(".".join(n for n in (*symbol.scope, symbol.name) if n))
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
+from rosward.domain.heap import Obj
 from rosward.domain.slots import Enumerated, Overloads, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
@@ -101,8 +102,10 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
     if isinstance(value, Text):
         return STRING
     if isinstance(value, Ref):
-        cls = machine.obj(value).cls
-        return TypeOf("std.vector", ()) if isinstance(cls, Native) else cls
+        obj = machine.obj(value)
+        if isinstance(obj.cls, TypeOf) and not obj.cls.arguments and depth < _DEPTH:
+            return _of_parts(machine, obj, obj.cls.name, depth + 1)
+        return TypeOf("std.vector", ()) if isinstance(obj.cls, Native) else obj.cls
     if isinstance(value, Pointer):
         return pointer_to(type_of(machine, value.target, depth + 1)) if depth < _DEPTH else value
     if isinstance(value, (Function, BoundMethod, Partial, Overloads)):
@@ -112,6 +115,16 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
     if isinstance(value, Unknown):
         return _OF_HINT.get(value.hint, value)
     return value
+
+
+def _of_parts(machine: Engine, obj: Obj, name: str, depth: int) -> Value:
+    """The type of what was made without saying it (`std::make_tuple(1, "a")`), by what is in it."""
+    parts: tuple[Value, ...] = ()
+    if name == "std.tuple" and obj.items is not None:
+        parts = obj.items
+    elif name == "std.pair" and obj.attrs.keys() >= {"first", "second"}:
+        parts = obj.attrs["first"], obj.attrs["second"]
+    return TypeOf(name, tuple(type_of(machine, part, depth) for part in parts))
 
 
 def is_pointer_pattern(pattern: TypePattern) -> bool:
@@ -154,7 +167,9 @@ def match(
         return isinstance(type_, Unknown) and not sure
     for index, each in enumerate(pattern.arguments):
         if each.pack and len(each.names) == 1 and each.names[0] in wanted:
-            bindings.setdefault(each.names[0], Tuple(types[index:]))
+            open_ = isinstance(type_, TypeOf) and not types  # nobody has said what it is made of
+            found = machine.unknown(Cause.CALL, each.names[0]) if open_ else Tuple(types[index:])
+            bindings.setdefault(each.names[0], found)
             return True
         if index < len(types) and not match(machine, each, types[index], wanted, bindings, depth + 1, sure=sure):
             return False

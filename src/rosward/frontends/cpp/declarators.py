@@ -123,3 +123,15 @@ def _part(node: Node) -> Part:
         words = dense(node)
         return Part(words)
     return Part(dense(node) if kind == "destructor_name" else text_of(node))
+
+
+def template_parameter_name(node: Node) -> str:
+    """The name of a parameter of a template, '' for one without."""
+    if node.type == "template_template_parameter_declaration" and node.named_children:
+        return template_parameter_name(node.named_children[-1])
+    name = node.child_by_field_name("name") or node.child_by_field_name("declarator")
+    if name is None and node.type.endswith("type_parameter_declaration"):
+        name = next((child for child in node.named_children if child.type == "type_identifier"), None)
+    while name is not None and name.type.endswith("declarator"):
+        name = inner(name)
+    return dense(name)

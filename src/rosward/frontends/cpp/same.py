@@ -34,7 +34,7 @@ class Merged:
             if kind in {SymbolKind.CLASS, SymbolKind.ENUM}:
                 for _, several in _grouped(same, lambda symbol: symbol.label):
                     whole = [s for s in several if s.defined]
-                    found += [self._with(s, _giving_defaults(s, several)) for s in whole] or several[:1]
+                    found += [self.also(s, _giving_defaults(s, several)) for s in whole] or several[:1]
             elif kind is SymbolKind.FUNCTION:
                 found += self._functions([s for s in same if "delete" not in s.marks])
             elif kind is SymbolKind.VARIABLE:
@@ -63,16 +63,17 @@ class Merged:
             parts[first] = list(same)
         for symbol in declared:
             if symbol in parts:
-                yield self._with(symbol, parts[symbol])
+                yield self.also(symbol, parts[symbol])
 
     def _variables(self, declared: Sequence[CppSymbol]) -> Iterator[CppSymbol]:
         whole = [s for s in declared if _defines(s)]
         if not whole:
-            yield self._with(declared[-1], declared[:-1])
+            yield self.also(declared[-1], declared[:-1])
         for symbol in whole:
-            yield self._with(symbol, [s for s in declared if s not in whole])
+            yield self.also(symbol, [s for s in declared if s not in whole])
 
-    def _with(self, symbol: CppSymbol, others: Sequence[CppSymbol]) -> CppSymbol:
+    def also(self, symbol: CppSymbol, others: Sequence[CppSymbol]) -> CppSymbol:
+        """A declaration, of which others say more."""
         if not others:
             return symbol
         key = symbol, *others

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Final, Protocol, final
 
-from rosward.frontends.cpp.declarators import dense, inner, spelled
+from rosward.frontends.cpp.declarators import dense, inner, spelled, template_parameter_name
 from rosward.frontends.cpp.lower import entry as lower
 from rosward.frontends.cpp.marks import function_of, marks_of, words_of
 from rosward.frontends.cpp.outline import CLASSES, Declared, is_scoped, local, members
@@ -257,6 +257,13 @@ class CppSymbol:
         node = self.declared.arguments
         return None if node is None else arguments(node)
 
+    @property
+    def instance(self) -> tuple[TypePattern, ...]:
+        """Of a member of a single instance of a template, what that is made of."""
+        before = self.declared.before
+        node = before[-1].arguments if before else None
+        return () if node is None else arguments(node)
+
     # Code
 
     @cached_property
@@ -265,7 +272,8 @@ class CppSymbol:
         if self.kind is SymbolKind.FUNCTION:
             return lower.lower_body(self.written, self.signature) if self.defined else None
         if self.kind in {SymbolKind.VARIABLE, SymbolKind.ENUMERATOR}:
-            return lower.lower_initial(self.written, self.template or ())
+            own = lower.lower_initial(self.written, self.template or ())
+            return own or next((code for other in self.others if (code := other.code) is not None), None)
         if self.kind is SymbolKind.ALIAS or (self.kind is SymbolKind.USING and self.owner is not None):
             return lower.lower_target(self.written, self.template or ())
         return None
@@ -380,18 +388,6 @@ def _computed_type(node: Node) -> Node | None:
         else None
     )
     return type_ if type_ is not None and b"<" in (type_.text or b"") else None
-
-
-def template_parameter_name(node: Node) -> str:
-    """The name of a parameter of a template, '' for one without."""
-    if node.type == "template_template_parameter_declaration" and node.named_children:
-        return template_parameter_name(node.named_children[-1])
-    name = node.child_by_field_name("name") or node.child_by_field_name("declarator")
-    if name is None and node.type.endswith("type_parameter_declaration"):
-        name = next((child for child in node.named_children if child.type == "type_identifier"), None)
-    while name is not None and name.type.endswith("declarator"):
-        name = inner(name)
-    return dense(name)
 
 
 def _has_variables(node: Node) -> bool:

@@ -14,11 +14,11 @@ from functools import cached_property
 from hashlib import blake2b
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.frontends.cpp.declarators import Part, dense
+from rosward.frontends.cpp.declarators import Part, dense, template_parameter_name
 from rosward.frontends.cpp.outline import Declared, Outline, outline
 from rosward.frontends.cpp.parse import Parsed
 from rosward.frontends.cpp.patterns import written
-from rosward.frontends.cpp.symbol import CppSymbol, template_parameter_name
+from rosward.frontends.cpp.symbol import CppSymbol
 from rosward.ir.symbols import Scope, SymbolKind
 
 if TYPE_CHECKING:

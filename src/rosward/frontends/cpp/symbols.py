@@ -68,6 +68,26 @@ class CppSymbols:
         declared += self._scope(scope).get(name, ())
         return self._merged.one_each(declared) if declared else ()
 
+    def of_instances(self, scope: Scope) -> Mapping[str, Sequence[CppSymbol]]:
+        """The members that single instances of a class template have instead of those of all."""
+        found: dict[str, list[CppSymbol]] = {}
+        for inner in self._instances.get(scope, ()):
+            for name, symbols in self._scope(inner).items():
+                general = self.at(scope, name)
+                same = [self._merged.also(s, [g for g in general if g.kind is s.kind]) for s in symbols]
+                found.setdefault(name, []).extend(same)
+        return found
+
+    @cached_property
+    def _instances(self) -> dict[Scope, list[Scope]]:
+        """By the scope of a class template, those of its instances that are no specialisations themselves, but have members of their own."""
+        found: dict[Scope, list[Scope]] = {}
+        for scope in self._files:
+            name, arguments, _ = scope[-1].partition("<") if scope else ("", "", "")
+            if arguments and not any(s.label == scope[-1] for s in self.at(scope[:-1], name) if s.kind in _TYPES):
+                found.setdefault((*scope[:-1], name), []).append(scope)
+        return found
+
     def used(self, scope: Scope) -> Sequence[CppSymbol]:
         """The `using namespace` of a scope."""
         found = self._used.get(scope)

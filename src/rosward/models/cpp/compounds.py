@@ -14,7 +14,7 @@ from typing import Final
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Tuple
 from rosward.domain.series import Series
-from rosward.domain.slots import Pointer, Slot, TypeOf
+from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.containers import element_from, made_of, place_of
@@ -125,18 +125,33 @@ def _get_from(machine: Machine, place: Value, held: Value, wanted: Value) -> Val
             types = obj.cls.arguments if isinstance(obj.cls, TypeOf) else ()
             if wanted in types:
                 return place_of(machine, held, Const(types.index(wanted)))
+            fitting = [n for n, item in enumerate(() if types else obj.items or ()) if _may_be(machine, item, wanted)]
+            if len(fitting) == 1:
+                return place_of(machine, held, Const(fitting[0]))
             return unknown_from(machine, "get", hint_of(wanted), held)
     if isinstance(held, Tuple) and number is not None and number < len(held.items):
         return held.items[number]
-    if number is not None:
-        return held  # of a variant, by the number of the alternative
+    if number is not None:  # of a variant, by the number of the alternative, which nobody keeps
+        may_raise(machine, "bad_variant_access", "std::get: wrong index for variant")
+        return held
+    return _alternative(machine, place, held, wanted, ("bad_variant_access", "std::get: wrong index for variant"))
+
+
+def _alternative(machine: Machine, place: Value, held: Value, wanted: Value, error: tuple[str, str]) -> Value:
+    """What a variant or `any` holds as one of a type, or the exception that is thrown."""
     fits = is_of_type(machine, held, wanted)
     if fits is False:
-        return raises(machine, "bad_variant_access", "std::get: wrong index for variant")
+        return raises(machine, *error)
     if fits is None:
-        may_raise(machine, "bad_variant_access", "std::get: wrong index for variant")
+        may_raise(machine, *error)
         return Unknown(held.reasons, hint_of(wanted)) if isinstance(held, Unknown) else held
     return place if isinstance(place, Slot) else held
+
+
+def _may_be(machine: Machine, item: Value, type_: Value) -> bool:
+    """Whether an element of a tuple may be of a type; a literal is no string."""
+    is_text = shape_of(type_) is Shape.TEXT and is_char_text(read(machine, item))
+    return not is_text and is_of_type(machine, item, type_) is not False
 
 
 def is_of_type(machine: Machine, value: Value, type_: Value) -> bool | None:
@@ -214,7 +229,9 @@ def _any_cast(call: NativeCall) -> Value:
         return value
     if isinstance(value, Pointer):
         return _get_if(call)
-    return _get_from(call.machine, call.args[0], value, types[0])
+    error = ("bad_any_cast", "bad any_cast")
+    found = [_alternative(call.machine, p, held, types[0], error) for p, held in _apart(call.machine, call.args[0])]
+    return join_all(found)
 
 
 # Optionals

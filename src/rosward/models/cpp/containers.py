@@ -16,7 +16,7 @@ from rosward.domain.series import Series
 from rosward.domain.slots import Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Value
-from rosward.models.cpp.conversions import convert, default_value
+from rosward.models.cpp.conversions import convert, default_value, owned
 from rosward.models.cpp.copies import copied, for_each, several
 from rosward.models.cpp.elements import between, series_of
 from rosward.models.cpp.iterators import as_iterator, iterator
@@ -44,8 +44,7 @@ def lost(call: NativeCall, hint: str = "") -> Value:
 
 def element_from(machine: Machine, type_: Value, value: Value, index: int = 0) -> Value:
     """What a container of a type keeps of a value: a copy of its own, as a value of the type of its elements."""
-    held = convert(machine, value, argument(type_, index))
-    return copied(machine, held)
+    return owned(machine, value, argument(type_, index))
 
 
 def made_of(machine: Machine, type_: Value, args: tuple[Value, ...], index: int = 0) -> Value:

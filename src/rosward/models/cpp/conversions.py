@@ -38,6 +38,7 @@ __all__ = [
     "new_container",
     "new_map",
     "new_set",
+    "owned",
 ]
 
 NULLOPT: Final = External("std.nullopt")
@@ -165,6 +166,13 @@ def convert(machine: Machine, value: Value, type_: Value, kind: str = "init", de
     return value
 
 
+def owned(machine: Machine, value: Value, type_: Value, depth: int = 0) -> Value:
+    """A value of its own of a type: a copy, where the conversion has made none."""
+    held = convert(machine, value, type_, "init", depth)
+    made = isinstance(type_, Class) and isinstance(held, Ref) and held not in options(read(machine, value))
+    return held if made else copied(machine, held)
+
+
 def _unbraced(machine: Machine, value: Tuple, type_: Value, depth: int) -> Value:
     """`{}` and `{x}` for something that is no container; of a class, what its constructors make of it."""
     shape = shape_of(type_)
@@ -181,7 +189,7 @@ def _object(machine: Machine, value: Value, type_: Class) -> Value:
         return value
     if isinstance(value, Ref):
         cls = machine.obj(value).cls
-        if not isinstance(cls, Class) or type_ in cls.mro:
+        if not isinstance(cls, Class) or cls == type_:
             return value
     return machine.call(type_, (value,))
 
@@ -248,7 +256,7 @@ def _container(machine: Machine, value: Value, type_: Value, shape: Shape, depth
 
 
 def _element(machine: Machine, item: Value, type_: Value, shape: Shape, depth: int) -> Value:
-    made = copied(machine, convert(machine, item, argument(type_, 0), "init", depth + 1))
+    made = owned(machine, item, argument(type_, 0), depth + 1)
     return key_of(machine, made) if shape is Shape.SET else made
 
 
@@ -260,7 +268,7 @@ def _array(machine: Machine, items: tuple[Value, ...], type_: Value, depth: int)
     )
     if nested and isinstance(items[0], Tuple):
         items = items[0].items
-    made = [copied(machine, convert(machine, item, inner, "init", depth + 1)) for item in items]
+    made = [owned(machine, item, inner, depth + 1) for item in items]
     count = int_of(argument(type_, 1))
     if count is not None and len(made) < count <= _MOST_DEFAULT:
         made.extend(default_value(machine, inner, depth + 1) for _ in range(count - len(made)))
@@ -270,9 +278,7 @@ def _array(machine: Machine, items: tuple[Value, ...], type_: Value, depth: int)
 def _pair(machine: Machine, items: tuple[Value, ...], type_: Value, depth: int) -> Value:
     if len(items) != 2:
         return default_value(machine, type_, depth) if not items else unknown_from(machine, "pair", "", *items)
-    first, second = (
-        copied(machine, convert(machine, item, argument(type_, n), "init", depth + 1)) for n, item in enumerate(items)
-    )
+    first, second = (owned(machine, item, argument(type_, n), depth + 1) for n, item in enumerate(items))
     return new_pair(machine, first, second, type_.arguments if isinstance(type_, TypeOf) else ())
 
 
@@ -288,14 +294,14 @@ def _parts_of_pair(machine: Machine, item: Value, type_: Value, depth: int) -> t
     else:
         first = second = unknown_from(machine, "pair", "", item)
     key = key_of(machine, convert(machine, first, argument(type_, 0), "init", depth + 1))
-    return key, copied(machine, convert(machine, second, argument(type_, 1), "init", depth + 1))
+    return key, owned(machine, second, argument(type_, 1), depth + 1)
 
 
 def _of_object(machine: Machine, value: Ref, type_: Value, shape: Shape, depth: int) -> Value:
     """An object as a container: itself where it is one of that kind; what came without a type gets it."""
     obj = machine.obj(value)
-    if isinstance(obj.cls, Class):
-        return value if shape is not Shape.OPTIONAL else new_container(machine, type_, Series((value,)), value)
+    if isinstance(obj.cls, Class) and shape is not Shape.OPTIONAL:
+        return value
     if shape is Shape.OPTIONAL and name_of(obj.cls) != name_of(type_):
         inner = convert(machine, value, argument(type_, 0), "init", depth + 1)
         return new_container(machine, type_, Series((inner,)), inner)

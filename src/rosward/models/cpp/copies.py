@@ -15,7 +15,7 @@ from rosward.domain.choice import join, join_all, lift, options
 from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
-from rosward.domain.slots import Slot
+from rosward.domain.slots import Overloads, Slot
 from rosward.domain.state import join_objects
 from rosward.domain.table import marked
 from rosward.domain.unknown import NO_ORIGINS, Cause
@@ -28,10 +28,23 @@ from rosward.models.python.containers import dicts
 from rosward.models.python.operators import items as python_items
 from rosward.models.python.plain import int_of, text_of, unknown_from
 
-__all__ = ["COPY", "REFERENCES", "assigned", "copied", "for_each", "several", "write"]
+__all__ = [
+    "ASSIGN",
+    "COPY",
+    "REFERENCES",
+    "assigned",
+    "copied",
+    "for_each",
+    "opened",
+    "overlapping",
+    "several",
+    "write",
+]
 
 COPY: Final = "<copy>"
 """The attribute of a class that makes a copy of an object of it: a callable of the object; NONE where objects of it are never copied."""
+ASSIGN: Final = "<assign>"
+"""The attribute of a class that says itself how another object is assigned to one of it: the functions, and the names of all its fields."""
 REFERENCES: Final = "<references>"
 """The attribute of a class with the names of its fields that are references: a tuple. What they lead to is no part of an object."""
 UNION: Final = "<union>"
@@ -289,6 +302,9 @@ def assigned(machine: Machine, ref: Ref, value: Value, *, weak: bool = False, de
     """`object = value`: the object stays where it is, and so do those in it; it holds a copy of what the other one holds."""
     several = [o for o in options(read(machine, value)) if o != ref] or [ref]
     weak = weak or machine.obj(ref).many
+    stays = frozenset[str]() if weak else _assigned_by_program(machine, ref, value)
+    if stays is None:
+        return
     merged = _merged(machine, several) if len(several) > _APART else None
     if merged is not None:
         several = several[:1]
@@ -298,10 +314,11 @@ def assigned(machine: Machine, ref: Ref, value: Value, *, weak: bool = False, de
             continue
         old = machine.obj(ref)
         if not isinstance(option, Ref) or machine.obj(option).kind != old.kind:
-            _opened(machine, ref, option)
+            opened(machine, ref, option)
             continue
         source = merged or machine.obj(option)
-        inside = _assigned_inside(machine, old, source, weak=weak, depth=depth)
+        fixed = stays | _references(machine, old.cls)
+        inside = _assigned_inside(machine, old, source, fixed, weak=weak, depth=depth)
         rest = source.replace(attrs={n: v for n, v in source.attrs.items() if n not in inside}) if inside else source
         contents = _contents(machine, rest, {option.address: ref}, depth)
         if inside:
@@ -309,19 +326,40 @@ def assigned(machine: Machine, ref: Ref, value: Value, *, weak: bool = False, de
                 attrs={n: inside.get(n, contents.attrs.get(n, v)) for n, v in source.attrs.items()}
             )
         changed = contents.replace(cls=old.cls, many=old.many)
-        kept = {name: old.attrs[name] for name in _references(machine, old.cls) if name in old.attrs}
+        kept = {name: old.attrs[name] for name in fixed if name in old.attrs}
         if kept:
             changed = changed.replace(attrs={**changed.attrs, **kept})
         machine.update(ref, join_objects(old, changed, join) if weak else changed)
 
 
-def _assigned_inside(machine: Machine, old: Obj, source: Obj, *, weak: bool, depth: int) -> dict[str, Value]:
-    """The objects that an object holds by value, after those of another one were assigned to them."""
+def _assigned_by_program(machine: Machine, ref: Ref, value: Value) -> frozenset[str] | None:
+    """The names of the fields that operators of the bases have assigned; None where one of the class itself has done it all."""
+    cls = machine.obj(ref).cls
+    done: set[Value] = set()
+    names: set[str] = set()
+    for each in cls.mro if isinstance(cls, Class) else ():
+        rule = _own(machine, each, ASSIGN)
+        if each in done or not isinstance(rule, Tuple):
+            continue
+        function, fields = rule.items
+        assert isinstance(each, Class)
+        if isinstance(function, Overloads) and isinstance(fields, Tuple):
+            machine.call(function.of(ref), (value,))
+            if each == cls:
+                return None
+            names.update(str(name.value) for name in fields.items if isinstance(name, Const))
+        done.update(each.mro)
+    return frozenset(names)
+
+
+def _assigned_inside(
+    machine: Machine, old: Obj, source: Obj, fixed: frozenset[str], *, weak: bool, depth: int
+) -> dict[str, Value]:
+    """The objects that an object holds by value, after those of another one were assigned to them; those of `fixed` names stay what they are."""
     inside: dict[str, Value] = {}
-    references = _references(machine, old.cls)
     for name, value in source.attrs.items():
         held = old.attrs.get(name)
-        if not isinstance(held, Ref) or name in references or depth >= _DEEPEST or value == held:
+        if not isinstance(held, Ref) or name in fixed or depth >= _DEEPEST or value == held:
             continue
         merged = _merged(machine, [held, *options(read(machine, value))])
         if merged is not None and merged.kind == "instance":
@@ -330,7 +368,7 @@ def _assigned_inside(machine: Machine, old: Obj, source: Obj, *, weak: bool, dep
     return inside
 
 
-def _opened(machine: Machine, ref: Ref, value: Value) -> None:
+def opened(machine: Machine, ref: Ref, value: Value) -> None:
     """Something of which nothing is known is assigned to an object: it may hold anything now."""
     obj = machine.obj(ref)
     unknown = unknown_from(machine, "=", "", value)

@@ -179,6 +179,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     _BOUND.name: _call_bound,
     **dict.fromkeys(("std.ref", "std.cref", "boost.ref", "std.reference_wrapper.new"), _refer),
     "std.reference_wrapper.get": _referred,
+    REFERENCE.name: lambda call: call.machine.call(read(call.machine, call.args[0]), call.args[1:]),
     "std.invoke": _invoke,
     "std.bind_front": _bind_front,
     "std.mem_fn": _itself,

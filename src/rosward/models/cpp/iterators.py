@@ -17,7 +17,7 @@ from rosward.domain.slots import Pointer, Slot, SlotKind, TypeOf
 from rosward.domain.values import FALSE, NONE, UNBOUND, Choice, Const, Ref, Text, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.copies import write
-from rosward.models.cpp.ordering import in_order
+from rosward.models.cpp.ordering import in_order, is_asked
 from rosward.models.cpp.slots import read
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import all_of, int_of, text_of, unknown_from
@@ -106,8 +106,8 @@ def keys_in_order(machine: Machine, ref: Ref) -> Items:
         more = () if obj.rest is None else (obj.rest_key or unknown_from(machine, "key", "", obj.rest),)
         return Items((), join_all((*keys, *more)))
     if isinstance(obj.cls, TypeOf) and "unordered" not in obj.cls.name:
-        order = in_order(keys, obj.cls)
-        if order is None and in_order(keys) is not None:  # the program compares them
+        order = in_order(machine, keys, obj.cls)
+        if order is None and is_asked(obj.cls):
             return Items((), join_all(keys))
         if order is not None:
             keys = [keys[n] for n in order]

@@ -22,7 +22,7 @@ from rosward.models.cpp.copies import copied
 from rosward.models.cpp.elements import between, series_of
 from rosward.models.cpp.exceptions import may_raise, raises
 from rosward.models.cpp.iterators import as_iterator, entry, keys_in_order, leading_into, moved
-from rosward.models.cpp.ordering import in_order
+from rosward.models.cpp.ordering import in_order, own_key, without_comparison
 from rosward.models.cpp.slots import key_of, new_pair, read, read_field
 from rosward.models.cpp.types import argument
 from rosward.models.native import Machine, NativeCall, NativeFunction
@@ -42,7 +42,8 @@ def _lost(call: NativeCall, hint: str = "") -> Value:
 
 def _key(machine: Machine, ref: Ref, value: Value) -> Value:
     """A value as a key of a map."""
-    return key_of(machine, convert(machine, value, argument(machine.obj(ref).cls, 0)))
+    obj = machine.obj(ref)
+    return own_key(machine, obj, key_of(machine, convert(machine, value, argument(obj.cls, 0))))
 
 
 def _place(machine: Machine, ref: Ref, key: Value) -> Value:
@@ -248,7 +249,7 @@ def _bound(call: NativeCall) -> Value:
     found: list[Value] = []
     for ref in _maps(call):
         key, keys = _key(machine, ref, call.args[1]), keys_in_order(machine, ref)
-        order = in_order([*keys.known, key], machine.obj(ref).cls) if keys.rest is None else None
+        order = in_order(machine, [*keys.known, key], machine.obj(ref).cls) if keys.rest is None else None
         if order is None:
             found.extend(entry(ref, k) for k in keys.known)
             found.append(entry(ref, NONE) if keys.rest is None else unknown_from(machine, "bound", "", key))
@@ -275,6 +276,7 @@ def _new(call: NativeCall) -> Value:
         return convert(machine, copied(machine, values[0]), type_)
     if values and isinstance(values[0], Unknown):
         return values[0]
+    values, type_ = without_comparison(machine, values, type_)
     made = new_map(machine, type_, (), "new")
     if len(values) > 1 and as_iterator(values[0]) is not None:
         _insert_all(machine, made, between(machine, values[0], values[1]))

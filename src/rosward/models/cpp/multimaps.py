@@ -20,7 +20,7 @@ from rosward.models.cpp.conversions import convert, new_container
 from rosward.models.cpp.copies import copied, for_each
 from rosward.models.cpp.elements import between, series_of
 from rosward.models.cpp.iterators import as_iterator, iterator
-from rosward.models.cpp.ordering import in_order
+from rosward.models.cpp.ordering import in_order, same_key, without_comparison
 from rosward.models.cpp.slots import key_of, new_pair, read, read_field
 from rosward.models.cpp.types import argument, name_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
@@ -44,7 +44,7 @@ def _keys(machine: Machine, series: Series) -> list[Value]:
 
 
 def _sorted(machine: Machine, ref: Ref, series: Series) -> None:
-    order = in_order(_keys(machine, series), cls_of(machine, ref)) if series.exact else None
+    order = in_order(machine, _keys(machine, series), cls_of(machine, ref)) if series.exact else None
     known = "unordered" in name_of(cls_of(machine, ref)) and series.exact
     if order is not None:
         write_series(machine, ref, Series(tuple(series.head[n] for n in order)))
@@ -68,7 +68,7 @@ def _insert(call: NativeCall) -> Value:
         ):
             more = Series(values[0].items)
         else:
-            fresh = _pair(machine, cls, args[1:] if as_iterator(values[0]) is not None else args)
+            fresh = _pair(machine, cls, args[1:] if len(args) > 1 and as_iterator(values[0]) is not None else args)
             if fresh is UNBOUND:
                 return UNBOUND
             _sorted(machine, ref, concatenated((old, Series((fresh,)))))
@@ -95,10 +95,15 @@ def _bounds(call: NativeCall, ref: Ref) -> tuple[Value, Value] | None:
     key = key_of(machine, convert(machine, call.args[1], argument(cls_of(machine, ref), 0)))
     keys = _keys(machine, series)
     cls = cls_of(machine, ref)
-    if not series.exact or in_order([*keys, key], cls) is None:
+    if not series.exact or in_order(machine, [*keys, key], cls) is None:
         return None
-    start = sum(1 for other in keys if in_order([other, key], cls) == [0, 1] and other != key)
-    stop = start + keys.count(key)
+    same = [same_key(machine, cls, other, key) for other in keys]
+    if None in same:
+        return None
+    start = sum(
+        not alike and in_order(machine, [other, key], cls) == [0, 1] for other, alike in zip(keys, same, strict=True)
+    )
+    stop = start + sum(map(bool, same))
     size = len(keys)
     return iterator(ref, Const(start) if start < size else NONE), iterator(ref, Const(stop) if stop < size else NONE)
 
@@ -162,6 +167,7 @@ def _new(call: NativeCall) -> Value:
         return values[0]
     if values and isinstance(values[0], Ref) and name_of(machine.obj(values[0]).cls) == name_of(type_):
         return copied(machine, values[0])
+    values, type_ = without_comparison(machine, values, type_)
     made = new_container(machine, type_, Series(), "new")
     if len(values) == 2 and all(as_iterator(value) is not None for value in values):
         more = between(machine, values[0], values[1])

@@ -58,7 +58,7 @@ def _int(machine: Machine, value: Value, type_: Value) -> Value:
                 name_of(type_).removeprefix("std.").startswith("u")
                 and name_of(type_).removeprefix("std.") not in NARROW
             )
-            return Const(int(value.value) if unsigned else truncated(int(value.value), words), value.origins)
+            return Const(int(value.value) % 2**64 if unsigned else truncated(int(value.value), words), value.origins)
         if isinstance(value.value, float) and math.isfinite(value.value):
             return from_python(machine, int(value.value), value.origins, "int")
         if value == NONE:

@@ -14,14 +14,14 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.certain import text_of as plain_text
-from rosward.domain.choice import join, join_all
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Tuple
-from rosward.domain.slots import TypeOf
+from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert
-from rosward.models.cpp.copies import copied
+from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.elements import series_of
 from rosward.models.cpp.exceptions import may_raise, raises
 from rosward.models.cpp.slots import new_pair, read
@@ -30,11 +30,14 @@ from rosward.models.python.operators.operators import is_default
 from rosward.models.python.plain import from_python, int_of, origins, spread, text_of, unknown_from, with_origins
 from rosward.models.python.std.processes import launches
 from rosward.models.ros.effects import own_variables
+from rosward.records import NamedTuple
 
 __all__ = ["NATIVES"]
 
 _INT: Final = re.compile(r"\s*([+-]?\d+)")
 _HEX: Final = re.compile(r"\s*([+-]?)(?:0[xX])?([0-9a-fA-F]+)")
+_DIGITS: Final = re.compile(r"\s*([+-]?)(\d+)")
+_PREFIX: Final = re.compile(r"\s*[+-]?0(?:([xX])[0-9a-fA-F]|[0-7])")
 _FLOAT: Final = re.compile(r"\s*([+-]?(?:inf(?:inity)?|nan|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?))", re.IGNORECASE)
 _LIMITS: Final = {"stoi": 2**31, "stol": 2**63, "stoll": 2**63, "stoul": 2**64, "stoull": 2**64}
 
@@ -42,16 +45,40 @@ _LIMITS: Final = {"stoi": 2**31, "stol": 2**63, "stoll": 2**63, "stoul": 2**64, 
 # Numbers from texts
 
 
-def _parsed(text: str, *, whole: bool, base: int) -> float | int | None:
+class _Number(NamedTuple):
+    """A number with which a text begins, and how many characters it takes."""
+
+    value: float | int
+    end: int
+
+
+def _parsed(text: str, *, whole: bool, base: int) -> _Number | None:
     """The number with which a text begins."""
     if not whole:
         match = _FLOAT.match(text)
-        return None if match is None else float(match[1])
-    if base == 10:
-        found = _INT.match(text)
-        return None if found is None else int(found[1])
-    hexadecimal = _HEX.match(text) if base == 16 else None
-    return None if hexadecimal is None else int(hexadecimal[1] + hexadecimal[2], 16)
+        return None if match is None else _Number(float(match[1]), match.end())
+    if base == 0:
+        prefix = _PREFIX.match(text)
+        base = 10 if prefix is None else 16 if prefix[1] else 8
+    match = _HEX.match(text) if base == 16 else _INT.match(text) if base == 10 else _DIGITS.match(text)
+    if match is None:
+        return None
+    digits = match[1] if base == 10 else match[1] + match[2]
+    end = match.end()
+    while base < 10 and digits and digits[-1] not in "+-" and any(int(d) >= base for d in digits.lstrip("+-")):
+        digits, end = digits[:-1], end - 1
+    return _Number(int(digits, base), end) if digits.lstrip("+-") else None
+
+
+def _tell_end(call: NativeCall, end: Value) -> None:
+    """Where a number ends is written to who asks for it."""
+    machine = call.machine
+    for option in options(read(machine, call.args[1])) if len(call.args) > 1 else ():
+        if isinstance(option, Pointer):
+            write(machine, option.target, end)
+
+
+_BASES: Final = (0, 2, 8, 10, 16)
 
 
 def _stoi(call: NativeCall) -> Value:
@@ -62,15 +89,17 @@ def _stoi(call: NativeCall) -> Value:
 
     def one(value: Value) -> Value:
         text = text_of(value)
-        if text is None or base not in (10, 16):
+        if text is None or base not in _BASES:
             may_raise(machine, "invalid_argument", name)
+            _tell_end(call, unknown_from(machine, name, "int", value))
             return unknown_from(machine, name, "int" if whole else "float", value)
         number = _parsed(text, whole=whole, base=base)
         if number is None:
             return raises(machine, "invalid_argument", name)
-        if whole and abs(number) >= _LIMITS[name]:
+        if whole and not -_LIMITS[name] <= number.value < _LIMITS[name]:
             return raises(machine, "out_of_range", name)
-        return from_python(machine, number, origins(value), name)
+        _tell_end(call, Const(number.end))
+        return from_python(machine, number.value, origins(value), name)
 
     return spread(one, read(machine, call.args[0]))
 
@@ -83,11 +112,12 @@ def _atoi(call: NativeCall) -> Value:
 
     def one(value: Value) -> Value:
         text = text_of(value)
-        if text is None or (whole and base not in (10, 16)):
+        if text is None or (whole and base not in _BASES):
             return unknown_from(machine, name, "int" if whole else "float", value)
-        number = _parsed(text, whole=whole, base=base or 10)
-        return from_python(machine, (0 if whole else 0.0) if number is None else number, origins(value), name)
+        number = _parsed(text, whole=whole, base=base or 0)
+        return from_python(machine, (0 if whole else 0.0) if number is None else number.value, origins(value), name)
 
+    _tell_end(call, unknown_from(machine, name, "", read(machine, call.args[0])))
     return spread(one, read(machine, call.args[0]))
 
 

@@ -18,6 +18,7 @@ from rosward.domain.slots import TypeOf
 from rosward.domain.text import concat, origins_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Value
+from rosward.ir.core import CharText
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import new_container
 from rosward.models.cpp.copies import write
@@ -125,6 +126,16 @@ def _same(call: NativeCall) -> Value:
     return read(call.machine, call.args[0])
 
 
+def _characters(call: NativeCall) -> Value:
+    """What reads like a literal from now on: no string, but a pointer to characters."""
+
+    def one(value: Value) -> Value:
+        text = text_of(value)
+        return value if text is None or not isinstance(value, Const) else Const(CharText(text), value.origins)
+
+    return lift(one, read(call.machine, call.args[0]))
+
+
 def _asked(hint: str) -> NativeFunction:
     """A question to the file system, or a change of it, whose answer is not known."""
 
@@ -178,7 +189,7 @@ _LEAST: Final = {
 }
 NATIVES: Final[dict[str, NativeFunction]] = {
     **{f"std.string.{name}": _part for name in _PARTS if name != "c_str"},
-    "std.string.c_str": _same,
+    "std.string.c_str": _characters,
     "std.string.path": _same,
     "std.string.replace_extension": _replace_extension,
     "std.string.replace_filename": _replace_filename,

@@ -20,12 +20,11 @@ from rosward.models.cpp.conversions import convert, new_set
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.elements import between, series_of
 from rosward.models.cpp.iterators import as_iterator, iterator, leading_into
-from rosward.models.cpp.ordering import in_order, unique
+from rosward.models.cpp.ordering import in_order, own_key, same_key, unique, without_comparison
 from rosward.models.cpp.slots import key_of, new_pair, read
 from rosward.models.cpp.types import argument, name_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.lists import write_series
-from rosward.models.python.operators.compare import equal
 from rosward.models.python.plain import unknown_from
 
 __all__ = ["NATIVES"]
@@ -34,7 +33,11 @@ _KINDS: Final = ("set", "unordered_set", "multiset", "unordered_multiset")
 
 
 def _key(machine: Machine, ref: Ref, value: Value) -> Value:
-    return key_of(machine, convert(machine, value, argument(machine.obj(ref).cls, 0)))
+    return _own(machine, ref, key_of(machine, convert(machine, value, argument(machine.obj(ref).cls, 0))))
+
+
+def _own(machine: Machine, ref: Ref, key: Value) -> Value:
+    return key if _several(machine, ref) else own_key(machine, machine.obj(ref), key)
 
 
 def _several(machine: Machine, ref: Ref) -> bool:
@@ -48,20 +51,28 @@ def _add(machine: Machine, ref: Ref, keys: Series) -> None:
 
 def _found(machine: Machine, ref: Ref, key: Value) -> bool | None:
     """Whether a key is in a set."""
-    series = machine.obj(ref).series()
-    answers = {equal(machine, key, item) for item in (*series.head, *series.tail)}
+    obj = machine.obj(ref)
+    series = obj.series()
+    answers = {same_key(machine, obj.cls, key, item) for item in (*series.head, *series.tail)}
     if True in answers:
         return True
-    middle = False if series.middle is None else equal(machine, key, series.middle)
+    middle = False if series.middle is None else same_key(machine, obj.cls, key, series.middle)
     return None if None in answers or middle is not False else False
 
 
 def _place(machine: Machine, ref: Ref, key: Value) -> Value:
     """An iterator to a key that is in a set."""
     series = machine.obj(ref).series()
-    if series.exact and key in series.head:
-        return iterator(ref, Const(series.head.index(key)))
+    same: list[bool | None] = _same(machine, ref, key) if series.exact else []
+    if None not in same and True in same:
+        return iterator(ref, Const(same.index(True)))
     return iterator(ref, unknown_from(machine, "find", "int", key))
+
+
+def _same(machine: Machine, ref: Ref, key: Value) -> list[bool | None]:
+    """For each element that is known, whether it is the same as a key."""
+    obj = machine.obj(ref)
+    return [item == key or same_key(machine, obj.cls, item, key) for item in obj.series().head]
 
 
 def _insert(call: NativeCall) -> Value:
@@ -95,7 +106,7 @@ def _emplace(call: NativeCall) -> Value:
     machine, results = call.machine, []
     for ref in receivers(call):
         made = made_of(machine, machine.obj(ref).cls, call.args[1:])
-        results.append(_one(machine, ref, key_of(machine, made)))
+        results.append(_one(machine, ref, _own(machine, ref, key_of(machine, made))))
     return join_all(results) if results else NONE
 
 
@@ -119,10 +130,11 @@ def _count(call: NativeCall) -> Value:
         key = _key(machine, ref, call.args[1])
         there = _found(machine, ref, key)
         series = machine.obj(ref).series()
-        if there is None or (_several(machine, ref) and not series.exact):
+        same = _same(machine, ref, key) if _several(machine, ref) else []
+        if there is None or (_several(machine, ref) and (not series.exact or None in same)):
             results.append(unknown_from(machine, "count", "bool" if is_bool else "int", key))
         else:
-            number = sum(item == key for item in series.head) if _several(machine, ref) else int(there)
+            number = sum(map(bool, same)) if _several(machine, ref) else int(there)
             results.append(Const(there) if is_bool else Const(number))
     return join_all(results) if results else unknown_from(machine, "count", "int", read(machine, call.args[0]))
 
@@ -137,12 +149,12 @@ def _erase(call: NativeCall) -> Value:
                 results.append(erased(machine, ref, value, values[1] if len(values) > 1 else None))
                 continue
             key = _key(machine, ref, value)
-            there, series = _found(machine, ref, key), machine.obj(ref).series()
-            if there is None or not series.exact:
+            there, series, same = _found(machine, ref, key), machine.obj(ref).series(), _same(machine, ref, key)
+            if there is None or not series.exact or None in same:
                 write_series(machine, ref, series.loose())
                 results.append(unknown_from(machine, "erase", "int", key))
             else:
-                kept = tuple(item for item in series.head if item != key)
+                kept = tuple(item for item, alike in zip(series.head, same, strict=True) if not alike)
                 write_series(machine, ref, Series(kept))
                 results.append(Const(len(series.head) - len(kept)))
     return join_all(results) if results else unknown_from(machine, "erase", "", read(machine, call.args[0]))
@@ -153,12 +165,13 @@ def _bound(call: NativeCall) -> Value:
     results: list[Value] = []
     for ref in receivers(call):
         key, series = _key(machine, ref, call.args[1]), machine.obj(ref).series()
-        order = in_order([*series.head, key], machine.obj(ref).cls) if series.exact else None
-        if order is None:
+        order = in_order(machine, [*series.head, key], machine.obj(ref).cls) if series.exact else None
+        same = _same(machine, ref, key)
+        if order is None or None in same:
             results.append(iterator(ref, unknown_from(machine, "bound", "int", key)))
             continue
         rank = order.index(len(series.head))
-        place = rank - (series.head.count(key) if not call.name.endswith("upper_bound") else 0)
+        place = rank - (sum(map(bool, same)) if not call.name.endswith("upper_bound") else 0)
         results.append(iterator(ref, Const(place) if place < len(series.head) else NONE))
     return join_all(results) if results else unknown_from(machine, "bound", "", read(machine, call.args[0]))
 
@@ -173,12 +186,13 @@ def _merge(call: NativeCall) -> Value:
 def _new(call: NativeCall) -> Value:
     """std::set<T>(…): the type comes first."""
     machine, type_, args = call.machine, call.args[0], call.args[1:]
-    cls = type_ if isinstance(type_, TypeOf) else TypeOf(name_of(type_), ())
+    cls: Value = type_ if isinstance(type_, TypeOf) else TypeOf(name_of(type_), ())
     values = [read(machine, arg) for arg in args]
     if values and isinstance(values[0], Unknown):
         return values[0]
     if values and isinstance(values[0], Ref) and name_of(machine.obj(values[0]).cls) == name_of(cls):
         return convert(machine, copied(machine, values[0]), cls)
+    values, cls = without_comparison(machine, values, cls)
     made = new_set(machine, cls, Series(), "new")
     if len(values) > 1 and as_iterator(values[0]) is not None:
         _add(machine, made, between(machine, values[0], values[1]).mapped(lambda v: _key(machine, made, v)))

@@ -24,7 +24,7 @@ from rosward.models.python.operators import items as python_items
 from rosward.models.python.plain import int_of, text_of, unknown_from
 from rosward.models.ros import message_fields
 
-__all__ = ["key_of", "key_value", "new_pair", "read", "read_field"]
+__all__ = ["is_structure", "key_of", "key_value", "new_pair", "read", "read_field", "unfolded"]
 
 _VALUE: Final = "value"
 _DEEPEST: Final = 12
@@ -91,7 +91,8 @@ def _element(machine: Machine, base: Value, key: Value) -> Value:
         if obj.kind == "dict":
             return _initialised(machine, dicts.look_up(machine, obj, key_of(machine, key)).value, "element")
         if obj.kind in ("list", "set"):
-            return _at(machine, obj, key)
+            found = _at(machine, obj, key)
+            return unfolded(machine, obj.cls, found) if is_structure(found) else found
     elif isinstance(base, Const) and text_of(base) is not None:
         text, number = str(base.value), int_of(key)
         if number is None:
@@ -141,32 +142,36 @@ def key_of(machine: Machine, value: Value, depth: int = 0) -> Value:
 _OBJECT: Final = External("<object>")
 """What a key begins with that is an object of a class: its class, the names of its fields and what they hold follow.
 
-Two that hold the same are one key; an operator of the class that says otherwise is not asked.
+Which of them are one key to a container says the operator of the class (`ordering.py`).
 """
 
 
 def _structure(machine: Machine, obj: Obj, depth: int) -> Value:
     held = [key_of(machine, field, depth) for field in obj.attrs.values()]
-    if obj.partial or any(isinstance(each, (Tuple, Choice)) and not _is_structure(each) for each in held):
+    if obj.partial or any(isinstance(each, (Tuple, Choice)) and not is_structure(each) for each in held):
         return machine.unknown(Cause.OPERATION, "key that is an object")
     return Tuple((_OBJECT, obj.cls, Tuple(tuple(map(Const, obj.attrs))), Tuple(tuple(held))))
 
 
-def _is_structure(value: Value) -> bool:
+def is_structure(value: Value) -> bool:
+    """Whether a key is an object of a class."""
     return isinstance(value, Tuple) and value.items[:1] == (_OBJECT,)
 
 
 def key_value(machine: Machine, ref: Ref, key: Value) -> Value:
     """The value that a key of a map stands for: a pair or sequence again, where it is one."""
-    cls = machine.obj(ref).cls
-    wanted = cls.arguments[0] if isinstance(cls, TypeOf) and cls.arguments else NONE
-    return _unfolded(machine, key, wanted)
+    return unfolded(machine, machine.obj(ref).cls, key)
+
+
+def unfolded(machine: Machine, cls: Value, key: Value) -> Value:
+    """The same by the class of the map or set."""
+    return _unfolded(machine, key, cls.arguments[0] if isinstance(cls, TypeOf) and cls.arguments else NONE)
 
 
 def _unfolded(machine: Machine, key: Value, type_: Value) -> Value:
     if not isinstance(key, Tuple):
         return key
-    if _is_structure(key):
+    if is_structure(key):
         _, cls, names, held = key.items
         assert isinstance(names, Tuple)
         assert isinstance(held, Tuple)

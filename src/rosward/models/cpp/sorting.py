@@ -3,18 +3,14 @@
 
 from __future__ import annotations
 
-from typing import Final
-
 from rosward.domain.choice import join_all
 from rosward.domain.series import Series
 from rosward.domain.values import Value
-from rosward.models.cpp.ordering import in_order
+from rosward.models.cpp.ordering import by_asking, in_order
 from rosward.models.cpp.slots import key_of
 from rosward.models.native import Machine
 
 __all__ = ["sorted_values"]
-
-_MOST_ASKED: Final = 30
 
 
 def sorted_values(machine: Machine, series: Series, function: Value | None) -> Series:
@@ -24,29 +20,14 @@ def sorted_values(machine: Machine, series: Series, function: Value | None) -> S
             machine.call(function, (element, element))
         return series.loose()
     values = list(series.head)
-    order = in_order([key_of(machine, value) for value in values]) if function is None else None
+    order = in_order(machine, [key_of(machine, value) for value in values]) if function is None else None
     if order is None:
-        order = _by_asking(machine, values, function)
+
+        def less(a: Value, b: Value) -> bool | None:
+            answer = machine.compare("<", a, b) if function is None else machine.call(function, (a, b))
+            return machine.truth(answer)
+
+        order = by_asking(values, less)
     if order is None:
         return Series((join_all(values),) * len(values))
     return Series(tuple(values[n] for n in order))
-
-
-def _by_asking(machine: Machine, values: list[Value], function: Value | None) -> list[int] | None:
-    """The indices in order, asked of each pair that decides; None where one answer is not known."""
-    if len(values) > _MOST_ASKED:
-        return None
-    placed: list[int] = []
-    for number, value in enumerate(values):
-        at = len(placed)
-        while at:
-            other = values[placed[at - 1]]
-            answer = machine.compare("<", value, other) if function is None else machine.call(function, (value, other))
-            less = machine.truth(answer)
-            if less is None:
-                return None
-            if not less:
-                break
-            at -= 1
-        placed.insert(at, number)
-    return placed

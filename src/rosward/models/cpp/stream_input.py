@@ -66,7 +66,7 @@ def _taken(machine: Machine, ref: Ref, kind: str) -> Value | None:
     match = pattern.match(text)
     if match is None:
         put_in(machine, ref, GOOD, FALSE)
-        return None if kind == "str" else Const({"int": 0, "float": 0.0, "bool": False}[kind])
+        return None if kind == "str" or not text.strip() else Const({"int": 0, "float": 0.0, "bool": False}[kind])
     put_in(machine, ref, LEFT, from_python(machine, text[match.end() :]))
     source = left.origins if isinstance(left, Const) else frozenset()
     return from_python(machine, _parsed(kind, match[1]), source)

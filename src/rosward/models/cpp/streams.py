@@ -13,6 +13,7 @@ from typing import Final
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Partial
 from rosward.domain.heap import Obj
+from rosward.domain.series import Series
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Ref, Unknown, Value
@@ -41,6 +42,7 @@ __all__ = [
     "is_stream",
     "name_of_library",
     "put_in",
+    "words_of",
 ]
 
 TEXT: Final = "text"
@@ -317,6 +319,20 @@ def _content(call: NativeCall) -> Value:
 def _rest(call: NativeCall) -> Value:
     """std::istreambuf_iterator<char>(stream): what a string is made of."""
     return Partial(External(ITERATOR), tuple(read(call.machine, arg) for arg in call.args[1:2]), ())
+
+
+def words_of(machine: Machine, first: Value, text: bool) -> Series | None:
+    """What iterators of a stream give (`std::istream_iterator<T>(stream)`), `text`: which are texts; None for what is none of these."""
+    if not isinstance(first, Partial) or first.function != External(ITERATOR):
+        return None
+    stream = first.arguments[0] if first.arguments else NONE
+    left = held_in(machine, stream, LEFT) if isinstance(stream, Ref) and is_stream(machine, stream) else NONE
+    words = text_of(left) if text and isinstance(stream, Ref) and not is_of_file(machine, stream) else None
+    if isinstance(stream, Ref) and is_stream(machine, stream):
+        put_in(machine, stream, LEFT, EMPTY if words is not None else unknown_from(machine, ">>", "str", left))
+    if words is None:
+        return Series((), unknown_from(machine, ">>", "str" if text else "", left))
+    return Series(tuple(from_python(machine, word) for word in words.split()))
 
 
 def _asked(call: NativeCall) -> Value:

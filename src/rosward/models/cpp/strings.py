@@ -13,10 +13,11 @@ from typing import Final
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Slot
 from rosward.domain.text import concat, make, parts_of
-from rosward.domain.values import EMPTY, NONE, Const, Text, Value
+from rosward.domain.values import EMPTY, NONE, UNBOUND, Const, Text, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import write
+from rosward.models.cpp.exceptions import raises
 from rosward.models.cpp.iterators import as_iterator, iterator
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.string_parts import (
@@ -37,6 +38,8 @@ __all__ = ["NATIVES", "OF_PLACES"]
 
 def _changed(call: NativeCall, text: Value) -> Value:
     """The string is another text from now on; gives the string."""
+    if text is UNBOUND:
+        return text
     if call.args[0].__class__ is Slot:
         write(call.machine, call.args[0], text)
         return call.args[0]
@@ -79,14 +82,16 @@ def _place(value: Value) -> Value:
     return NOWHERE if slot.key == NONE or not isinstance(slot.key, Value) else slot.key
 
 
-def _replaced(machine: Machine, text: Value, start: Value, count: Value, new: Value) -> Value:
-    """The text with `new` for so many characters."""
+def _replaced(machine: Machine, text: Value, start: Value, count: Value, new: Value, *, by_index: bool) -> Value:
+    """The text with `new` for so many characters; `by_index`: from a position that is asked whether it is one."""
 
     def one(whole: Value, begin: Value, many: Value, fresh: Value) -> Value:
         first, length = int_of(begin), int_of(many)
         if first is None or length is None:
             return unknown_from(machine, "replace", "str", whole, begin, many, fresh)
         plain = text_of(whole)
+        if plain is not None and first > len(plain) and by_index:
+            return raises(machine, "out_of_range", "basic_string")
         if plain is not None:
             first = min(first, len(plain))
         before = sliced(machine, whole, NONE, Const(first))
@@ -112,15 +117,16 @@ def _span(machine: Machine, first: Value, second: Value) -> tuple[Value, Value]:
 def _replace(call: NativeCall) -> Value:
     machine = call.machine
     start, count = _span(machine, read(machine, call.args[1]), read(machine, call.args[2]))
-    fresh = text_from(machine, call.args[3:])
-    return _changed(call, _replaced(machine, read(machine, call.args[0]), start, count, fresh))
+    fresh, indexed = text_from(machine, call.args[3:]), as_iterator(read(machine, call.args[1])) is None
+    return _changed(call, _replaced(machine, read(machine, call.args[0]), start, count, fresh, by_index=indexed))
 
 
 def _insert(call: NativeCall) -> Value:
     machine = call.machine
     place = read(machine, call.args[1])
     fresh = text_from(machine, call.args[2:])
-    made = _replaced(machine, read(machine, call.args[0]), _place(place), Const(0), fresh)
+    indexed = as_iterator(place) is None
+    made = _replaced(machine, read(machine, call.args[0]), _place(place), Const(0), fresh, by_index=indexed)
     changed = _changed(call, made)
     return place if as_iterator(place) is not None else changed
 
@@ -130,12 +136,12 @@ def _erase(call: NativeCall) -> Value:
     values = [read(machine, arg) for arg in call.args[1:3]]
     if values and as_iterator(values[0]) is not None:
         start, count = _span(machine, *values) if len(values) > 1 else (_place(values[0]), Const(1))
-        _changed(call, _replaced(machine, read(machine, call.args[0]), start, count, EMPTY))
+        _changed(call, _replaced(machine, read(machine, call.args[0]), start, count, EMPTY, by_index=False))
         number, size = int_of(start), text_of(read(machine, call.args[0]))
         at_end = number is not None and size is not None and number >= len(size)
         return iterator(call.args[0], NONE if at_end else start)
     start, count = (values + [Const(0), NOWHERE][len(values) :])[:2]
-    return _changed(call, _replaced(machine, read(machine, call.args[0]), start, count, EMPTY))
+    return _changed(call, _replaced(machine, read(machine, call.args[0]), start, count, EMPTY, by_index=True))
 
 
 def _resize(call: NativeCall) -> Value:

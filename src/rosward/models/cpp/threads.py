@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Threads: what runs in one, and what do locks, atomics and futures matter?
+"""Threads: what runs in one, and what do locks and atomics matter?
 
 std::thread(&Robot::run, this)      run may be called from now on, at any time
-std::async(f).get()                 what f gives
 std::lock_guard lock(mutex);        nothing: every order of what runs is followed anyway
 flag.store(true)                    the atomic is its value
 """
@@ -11,12 +10,10 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.choice import lift
-from rosward.domain.compound import External, Partial, Tuple
+from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
-from rosward.domain.slots import Pointer
 from rosward.domain.unknown import Cause
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Value
+from rosward.domain.values import FALSE, NONE, TRUE, Const, Ref, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import copied, write
@@ -47,76 +44,6 @@ def _thread(call: NativeCall) -> Value:
 def _is_thread(machine: Machine, value: Value) -> bool:
     held = read(machine, value)
     return isinstance(held, Ref) and name_of(machine.obj(held).cls) in ("std.thread", "std.jthread", "boost.thread")
-
-
-def _async(call: NativeCall) -> Value:
-    """std::async(policy, callable, arguments…): a future, which knows what to call."""
-    machine, args = call.machine, list(call.args)
-    if args and name_of(read(machine, args[0])).startswith("std.launch"):
-        args.pop(0)
-    future = _opaque(machine, "std.future")
-    if args:
-        function, given = read(machine, args[0]), tuple(kept(machine, arg) for arg in args[1:])
-        machine.schedule(function, given, "thread")
-        machine.update(future, machine.obj(future).with_attr(_TASK, Partial(function, given, ())))
-    return future
-
-
-_TASK: Final = "task"
-_VALUE: Final = "value"
-_PROMISE: Final = "promise"
-_HAS_FUTURE: Final = "has future"
-"""A promise of which there is a future; one that is assigned in its place has none."""
-
-
-def _future_of(call: NativeCall) -> Value:
-    """promise.get_future(): an object that knows the promise, which keeps the value; so do its copies."""
-    machine, held = call.machine, read(call.machine, call.args[0])
-    if not isinstance(held, Ref):
-        return machine.unknown(Cause.LIVE, "std.future")
-    future = _opaque(machine, "std.future")
-    machine.update(future, machine.obj(future).with_attr(_PROMISE, Pointer(held)))
-    machine.update(held, machine.obj(held).with_attr(_HAS_FUTURE, TRUE))
-    return future
-
-
-def _set_value(call: NativeCall) -> Value:
-    held = read(call.machine, call.args[0])
-    if isinstance(held, Ref):
-        value = copied(call.machine, call.args[1]) if len(call.args) > 1 else NONE
-        call.machine.update(held, call.machine.obj(held).with_attr(_VALUE, value))
-    return NONE
-
-
-def _get(call: NativeCall) -> Value:
-    """future.get(): what was set, or what the callable gives, which has run by now."""
-    machine, held = call.machine, read(call.machine, call.args[0])
-    attrs = machine.obj(held).attrs if isinstance(held, Ref) else {}
-    if _PROMISE in attrs:
-        return lift(lambda o: _promised(machine, o), attrs[_PROMISE])
-    if _VALUE not in attrs and _TASK in attrs and isinstance(held, Ref):
-        result = machine.call(attrs[_TASK], ())
-        if result is UNBOUND:
-            return UNBOUND
-        machine.update(held, machine.obj(held).with_attr(_VALUE, copied(machine, result)))
-        attrs = machine.obj(held).attrs
-    return attrs.get(_VALUE) or machine.unknown(Cause.LIVE, "std.future")
-
-
-def _promised(machine: Machine, promise: Value) -> Value:
-    """What was set, or will be by the time that somebody asks for it."""
-    target = promise.target if isinstance(promise, Pointer) else None
-    attrs = machine.obj(target).attrs if isinstance(target, Ref) else {}
-    found = attrs.get(_VALUE) if _HAS_FUTURE in attrs else None
-    return found or machine.unknown(Cause.LIVE, "std.future")
-
-
-def _new_future(call: NativeCall) -> Value:
-    """A future is made of another one, which it takes the place of."""
-    return copied(call.machine, call.args[1]) if len(call.args) > 1 else _made(call)
-
-
-_FUTURES: Final = ("future", "shared_future")
 
 
 def _waited(call: NativeCall) -> Value:
@@ -193,7 +120,7 @@ def _compare_exchange(call: NativeCall) -> Value:
 _LOCKS: Final = (
     "mutex", "recursive_mutex", "timed_mutex", "recursive_timed_mutex", "shared_mutex", "shared_timed_mutex",
     "lock_guard", "unique_lock", "scoped_lock", "shared_lock", "condition_variable", "condition_variable_any",
-    "once_flag", "promise", "future", "shared_future", "stop_token", "stop_source", "barrier", "latch", "counting_semaphore",
+    "once_flag", "stop_token", "stop_source", "barrier", "latch", "counting_semaphore",
 )  # fmt: skip
 _SILENT: Final = (
     "lock",
@@ -250,7 +177,6 @@ OF_PLACES: Final = frozenset(f"std.atomic.{name}" for name in _ATOMIC)
 NATIVES: Final[dict[str, NativeFunction]] = {
     **{f"{space}.thread.new": _thread for space in ("std", "boost")},
     "std.jthread.new": _thread,
-    "std.async": _async,
     **{f"std.{name}.new": _made for name in _LOCKS},
     **{f"std.{name}.{method}": _nothing for name in (*_LOCKS, "thread", "jthread") for method in _SILENT},
     **{f"std.{name}.{method}": _unsure for name in (*_LOCKS, "thread", "jthread") for method in _ASKED},
@@ -260,13 +186,6 @@ NATIVES: Final[dict[str, NativeFunction]] = {
         for kind in ("", "_any")
         for name in ("wait", "wait_for", "wait_until")
     },
-    **{f"std.{kind}.{name}": _waited for kind in _FUTURES for name in ("wait", "wait_for", "wait_until")},
-    "std.future.get": _get,
-    "std.shared_future.get": _get,
-    "std.future.share": lambda call: copied(call.machine, call.args[0]),
-    **{f"std.{kind}.new": _new_future for kind in _FUTURES},
-    "std.promise.get_future": _future_of,
-    "std.promise.set_value": _set_value,
     **{f"std.this_thread.{name}": _nothing for name in ("sleep_for", "sleep_until", "yield")},
     "std.this_thread.get_id": _waited,
     "std.thread.hardware_concurrency": _waited,

@@ -14,7 +14,7 @@ from typing import Final
 from rosward.domain.compound import External
 from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Choice, Class, Const, Unknown, Value
+from rosward.domain.values import TRUE, Choice, Class, Const, Unknown, Value
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 from rosward.source.location import Place
 
@@ -161,7 +161,8 @@ def _is_unsigned(types: Types) -> Value:
 
 
 def _is_wrapped(name: str) -> Trait:
-    return lambda types: Const(bool(types) and name_of(types[0]) == name)
+    """What a type is by `&` or `const` is not kept of most types: nobody knows that it is not."""
+    return lambda types: TRUE if types and name_of(types[0]) == name else _unknown(f"is_{name}", "bool")
 
 
 def _asked(name: str) -> Trait:

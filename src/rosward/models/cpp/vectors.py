@@ -37,9 +37,10 @@ from rosward.models.cpp.exceptions import may_raise, raises
 from rosward.models.cpp.iterators import as_iterator, iterator, leading_into
 from rosward.models.cpp.iterators import begin as begin_of
 from rosward.models.cpp.iterators import end as end_of
-from rosward.models.cpp.ordering import foremost
+from rosward.models.cpp.ordering import foremost, without_comparison
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.sorting import sorted_values
+from rosward.models.cpp.streams import words_of
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.lists import write_series
@@ -124,7 +125,7 @@ def _pop(call: NativeCall) -> Value:
         if series.exact and not series.head:
             continue  # undefined
         if name_of(cls_of(call.machine, ref)) == "std.priority_queue":
-            number = foremost(series, cls_of(call.machine, ref))
+            number = foremost(call.machine, series, cls_of(call.machine, ref))
             kept = series.loose() if number is None else Series((*series.head[:number], *series.head[number + 1 :]))
         else:
             kept = series.without_at(0 if front else -1)
@@ -223,7 +224,7 @@ def _edge(call: NativeCall) -> Value:
             found.append(place_of(machine, ref, Const(0)))
             continue
         if name == "top" and name_of(cls_of(machine, ref)) == "std.priority_queue":
-            number = foremost(series, cls_of(machine, ref))
+            number = foremost(machine, series, cls_of(machine, ref))
             found.append((series.element() if number is None else series.head[number]) or lost(call))
             continue
         last = series.at(-1)
@@ -303,6 +304,12 @@ def _splice(call: NativeCall) -> Value:
 def _new(call: NativeCall) -> Value:
     """std::vector<T>(…): the type comes first."""
     machine, type_, args = call.machine, call.args[0], call.args[1:]
+    if name_of(type_) == "std.priority_queue":
+        values, type_ = without_comparison(machine, [read(machine, arg) for arg in args], type_)
+        args = tuple(values)
+    words = words_of(machine, read(machine, args[0]), shape_of(argument(type_, 0)) is Shape.TEXT) if args else None
+    if words is not None:
+        return new_container(machine, type_, words, "new")
     braced = "brace" in str(getattr(call.keywords.get("form"), "value", ""))
     if len(args) == 1:
         first = read(machine, args[0])
@@ -311,7 +318,7 @@ def _new(call: NativeCall) -> Value:
         if isinstance(first, Unknown) and first.hint not in ("int", "float", "bool"):
             return first
         if isinstance(first, Ref) and machine.obj(first).kind in ("list", "set") and not _nests(machine, type_, first):
-            return _adopted(machine, copied(machine, first), type_)
+            return convert(machine, copied(machine, first), type_)
     if braced and args and as_iterator(read(machine, args[0])) is None:
         return convert(machine, Tuple(tuple(args)), type_)
     if shape_of(type_) in (Shape.ARRAY, Shape.TUPLE) and args:
@@ -324,10 +331,6 @@ def _new(call: NativeCall) -> Value:
 def _nests(machine: Machine, type_: Value, value: Ref) -> bool:
     """Whether a container is an element of what is made of it, not what is copied."""
     return name_of(argument(type_, 0)) == name_of(machine.obj(value).cls) != name_of(type_)
-
-
-def _adopted(machine: Machine, value: Value, type_: Value) -> Value:
-    return convert(machine, value, type_)
 
 
 _KINDS: Final = (

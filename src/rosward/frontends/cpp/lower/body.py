@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final, Literal, final
 
-from rosward.frontends.cpp.lower.lvalues import is_lvalue
+from rosward.frontends.cpp.lower.lvalues import is_lvalue, kind_of_result
 from rosward.frontends.cpp.lower.survey import Survey, word
 from rosward.frontends.cpp.lower.undecided import Undecided
 from rosward.frontends.cpp.lower.variables import Jumps, Loop, Returns, Scope, Variable
@@ -242,9 +242,9 @@ class Body:
             return Argued(self.expression(node, "slot"), "pack")
         variable = self.variable(word(node)) if node.type == "identifier" else None
         if variable is not None and variable.constant and not variable.raw:  # who gets it may not change it
-            return Argued(self.value(node), "result")
-        kind: Literal["value", "slot", "result"] = (
-            "slot" if is_lvalue(node) else "result" if node.type in _RESULTS else "value"
+            return Argued(self.value(node), "constant")
+        kind: Literal["value", "slot", "result", "constant", "moved"] = (
+            "slot" if is_lvalue(node) else kind_of_result(node) if node.type in _RESULTS else "value"
         )
         return Argued(self.slot(node), kind)
 

@@ -15,7 +15,7 @@ from rosward.frontends.cpp.lower.names import last_part, name, of_parts, parts_o
 from rosward.frontends.cpp.lower.operators import choose, target, through_pointer
 from rosward.frontends.cpp.lower.seen import declared, is_constant
 from rosward.frontends.cpp.lower.survey import through_member, word
-from rosward.frontends.cpp.lower.types import TYPES, type_of
+from rosward.frontends.cpp.lower.types import REFERENCES, TYPES, has, type_of
 from rosward.frontends.cpp.macros import EITHER
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp import Argued, Assign, Convert, Invoke, InvokeMember, Read, TypeOfValue
@@ -23,7 +23,8 @@ from rosward.ir.cpp import Argued, Assign, Convert, Invoke, InvokeMember, Read, 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-_CASTS: Final[dict[str, Literal["static", "dynamic", "const"]]] = {
+Cast = Literal["value", "static", "dynamic", "const"]
+_CASTS: Final[dict[str, Cast]] = {
     "static_cast": "static",
     "dynamic_cast": "dynamic",
     "const_cast": "const",
@@ -122,9 +123,7 @@ def _method(body: Body, node: Node, function: Node, listed: Node | None, want: W
     )
 
 
-def _cast(
-    body: Body, node: Node, function: Node, listed: Node | None, kind: Literal["static", "dynamic", "const"]
-) -> int:
+def _cast(body: Body, node: Node, function: Node, listed: Node | None, kind: Cast) -> int:
     """`static_cast<T>(x)`."""
     types = function.child_by_field_name("arguments")
     inner = [child for child in (listed.named_children if listed is not None else ()) if child.type != "comment"]
@@ -134,10 +133,22 @@ def _cast(
         return body.value(
             inner[0]
         )  # `static_cast<void (C::*)(int)>(&C::f)`, which the grammar lacks: one of the overloads
-    return converted(body, node, inner[0], type_of(body, types.named_children[0], keep=True), kind)
+    return converted(
+        body,
+        node,
+        inner[0],
+        type_of(body, types.named_children[0], keep=True),
+        _by_value(types.named_children[0], kind),
+    )
 
 
-def converted(body: Body, node: Node, src: Node, type_: int, kind: Literal["static", "dynamic", "const"]) -> int:
+def _by_value(type_: Node, kind: Cast) -> Cast:
+    """The kind of a cast: `static_cast<T>(x)` makes a value, `static_cast<T &>(x)` does not."""
+    shape = type_.child_by_field_name("declarator") if type_.type == "type_descriptor" else None
+    return "value" if kind == "static" and not has(shape, REFERENCES) else kind
+
+
+def converted(body: Body, node: Node, src: Node, type_: int, kind: Cast) -> int:
     """What a cast makes of an expression."""
     slot = body.slot(src)
     dst = body.register()
@@ -152,7 +163,9 @@ def _c_cast(body: Body, node: Node, want: Want) -> int:
         return body.unknown(node, "syntax")
     if word(type_) == "void":
         return body.expression(value, "effect")
-    return body.given(node, converted(body, node, value, type_of(body, type_, keep=True), "static"), want)
+    return body.given(
+        node, converted(body, node, value, type_of(body, type_, keep=True), _by_value(type_, "static")), want
+    )
 
 
 def _typeid(body: Body, node: Node, listed: Node | None, _want: Want) -> int:

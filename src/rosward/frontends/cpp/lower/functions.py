@@ -131,9 +131,10 @@ def _parameter(
         _convert(body, node, type_node, declarator, register, "buffer")
     else:
         points = has(declarator, POINTERS | ARRAYS | FUNCTIONS)
-        body.emit((Read if points else Copy)(*place, register, register))
+        kind = declared_type(body, type_node, declarator) if converts else NO_REGISTER
+        body.emit(Read(*place, register, register) if points else Copy(*place, register, register, kind))
         if converts:
-            _convert(body, node, type_node, declarator, register)
+            body.emit(Convert(*place, register, register, kind, "init"))
     body.free_register = body.floor
     if not symbol.name:
         return

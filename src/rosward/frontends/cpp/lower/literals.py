@@ -50,12 +50,20 @@ def number(text: str) -> int | float | None:
         return None
 
 
+_FITS: Final = 128
+_HOLDS: Final = {"int": range(-(2**31), 2**31), "long": range(-(2**63), 2**63), "double": range(-(2**63), 2**63)}
+"""Which whole numbers some types hold; smaller ones than `_FITS` all hold."""
+
+
 def is_of(type_: str, node: Node | None) -> bool:
     """Whether a literal is of this builtin type as it stands: `int n = 0`, `bool b = true`, not `int n = 0.5`."""
     if node is None:
         return False
     if node.type == "number_literal":
-        kind = type(number(word(node)))
+        value = number(word(node))
+        kind = type(value)
+        if isinstance(value, int) and not 0 <= value < _FITS and value not in _HOLDS.get(type_, range(0)):
+            return False
         return kind is (float if type_ in _FLOATS else int) and type_ not in _NO_NUMBERS and bool(type_)
     return type_ == "bool" and node.type in ("true", "false")
 

@@ -177,9 +177,13 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
     """The variable of the loop, from the element."""
     place = body.place(node)
     src = item
+    type_node = node.child_by_field_name("type")
+    kind = NO_REGISTER
     if not reference:
         src = body.register()
-        body.emit(Copy(*place, src, item))
+        if type_node is not None and type_node.type not in _AUTO:
+            kind = declared_type(body, type_node, shape)
+        body.emit(Copy(*place, src, item, kind))
     names = shape
     for _ in range(DECLARATORS):
         inner = None if names.type == "structured_binding_declarator" else within(names)
@@ -189,10 +193,8 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
     if names.type == "structured_binding_declarator":
         bind(body, node, shape, names, src)
         return
-    type_node = node.child_by_field_name("type")
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
-    if not reference and type_node is not None and type_node.type not in _AUTO:
-        kind = declared_type(body, type_node, shape)
+    if kind != NO_REGISTER:
         body.emit(Convert(*place, src, src, kind, "init"))
     number = "" if points or reference else builtin(type_node)
     constant = has_const(node) and not points

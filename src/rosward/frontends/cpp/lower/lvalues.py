@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Literal
+
+from rosward.frontends.cpp.lower.survey import word
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -40,3 +42,11 @@ def is_lvalue(node: Node) -> bool:
         elif kind not in _LVALUES:
             return False
     return False
+
+
+def kind_of_result(node: Node) -> Literal["result", "constant", "moved"]:
+    """Of what kind the result of a call or cast is, as an argument."""
+    function = node.child_by_field_name("function") if node.type == "call_expression" else None
+    text = word(function)
+    is_cast = text.startswith("static_cast<") and text.rstrip("> ").endswith("&&")
+    return "constant" if text == "std::as_const" else "moved" if text == "std::move" or is_cast else "result"

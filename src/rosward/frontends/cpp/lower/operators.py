@@ -11,6 +11,7 @@ from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import last_part, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.narrowing import COMPARE, condition, conjunction, split
+from rosward.frontends.cpp.lower.seen import is_constant, seen_scope
 from rosward.frontends.cpp.lower.survey import operator_of, through_member, word
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
@@ -39,9 +40,15 @@ _BINARY: Final = frozenset({"+", "-", "*", "/", "%", "<<", ">>", "|", "^", "&"})
 
 
 _CONVERTED: Final = frozenset(
-    {"float", "double", "bool", *(f"{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32))}
+    {
+        *("float", "double", "bool", "unsigned", "unsigned int", "short", "unsigned short"),
+        *("signed char", "unsigned char", *(f"{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32))),
+    }
 )
 """Types of variables that what is added to them may leave."""
+_FLOATS: Final = frozenset({"float", "double"})
+_UNSIGNED: Final = frozenset({"size_t", "uint64_t", "unsigned long", "unsigned long long"})
+"""Those that may be left but by what is taken away."""
 
 
 def _binary(body: Body, node: Node, want: Want) -> int:
@@ -157,7 +164,7 @@ def _conditional(body: Body, node: Node, want: Want) -> int:
 def _comma(body: Body, node: Node, want: Want) -> int:
     """`a = 1, f()`; in `matrix << 1, 2, 3` it is an operator of the matrix, where that is one."""
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-    if left is None or left.type != "binary_expression" or operator_of(left) != "<<":
+    if left is None or not _may_have_comma(body, left):
         body.expression(left, "effect")
         return body.expression(right, want)
     value = body.value(left)
@@ -167,6 +174,14 @@ def _comma(body: Body, node: Node, want: Want) -> int:
         body.emit(Binary(*body.place(node), dst, ",", value, item))
         value, right = dst, None if is_last else right.child_by_field_name("right")
     return value
+
+
+def _may_have_comma(body: Body, left: Node) -> bool:
+    """Whether what stands before a comma may be an object that has an operator of that name."""
+    if left.type == "identifier":
+        variable = body.variable(word(left))
+        return variable is not None and not variable.builtin and variable.written is not None
+    return left.type == "binary_expression" and operator_of(left) == "<<"
 
 
 def _parenthesized(body: Body, node: Node, want: Want) -> int:
@@ -238,11 +253,27 @@ def _update(body: Body, node: Node, want: Want) -> int:
             body.move(node, before, variable.register)
         one = body.constant(node, 1)
         body.emit(Binary(*body.place(node), variable.register, operator[0], variable.register, one, inplace=True))
+        if _leaves(variable, operator):
+            body.move(node, variable.register, _converted(body, node, variable, None, variable.register))
         return variable.register if prefix else before
     slot = body.slot(argument)
+    target = body.variable(word(argument)) if argument is not None and argument.type == "identifier" else None
+    if target is not None and not target.reference and not target.raw and _leaves(target, operator):
+        before, found = body.register(), body.register()
+        body.emit(Read(*body.place(node), before, slot))
+        one = body.constant(node, 1)
+        body.emit(Binary(*body.place(node), found, operator[0], before, one, inplace=True))
+        src = _converted(body, node, target, None, found)
+        body.emit(Assign(*body.place(node), NO_REGISTER, "=", slot, src))
+        return body.given(node, slot, want) if prefix and want != "effect" else before
     dst = NO_REGISTER if want == "effect" else body.register()
     body.emit(Step(*body.place(node), dst, operator, slot, prefix=prefix))
     return body.given(node, dst, want) if prefix and want != "effect" else dst
+
+
+def _leaves(variable: Variable, operator: str) -> bool:
+    """Whether `++` or `--` may lead out of what the type of a variable holds."""
+    return variable.builtin in _CONVERTED - _FLOATS or (operator == "--" and variable.builtin in _UNSIGNED)
 
 
 def _pointer(body: Body, node: Node, want: Want) -> int:
@@ -287,8 +318,11 @@ def _field(body: Body, node: Node, want: Want) -> int:
     obj = target(body, node)
     text, arguments = written.parts[-1] if written is not None else last_part(field)
     given = None if arguments is None else template_arguments(body, arguments)
+    argument = node.child_by_field_name("argument")
+    seen, static = seen_scope(body, field, argument, written)
     dst = body.register()
-    body.emit(Member(*body.place(field), dst, obj, text, arguments=given, slot=want in ("slot", "own")))
+    slot = want in ("slot", "own")
+    body.emit(Member(*body.place(field), dst, obj, text, arguments=given, slot=slot, seen=seen, static=static))
     return body.given(node, dst, "own") if want == "own" else dst
 
 
@@ -310,7 +344,8 @@ def _subscript(body: Body, node: Node, want: Want) -> int:
     obj = body.slot(argument)
     index = body.value(inner[0])
     dst = body.register()
-    body.emit(Item(*body.place(node), dst, obj, index, slot=want != "value"))
+    constant = is_constant(body, argument)
+    body.emit(Item(*body.place(node), dst, obj, index, slot=want != "value", constant=constant))
     return body.given(node, dst, "own") if want == "own" else dst
 
 

@@ -10,8 +10,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body
+from rosward.frontends.cpp.lower.names import Written, of_parts
 from rosward.frontends.cpp.lower.survey import word
-from rosward.frontends.cpp.lower.types import declared_type
+from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, declared_type, has, type_of
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp import Declared
 from rosward.ir.op import Block
@@ -26,10 +27,16 @@ _LIBRARIES: Final = (b"std::string", b"std::vector", b"std::map", b"rclcpp::", b
 
 def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Block, int]:
     """Operations that give the type with which the object, or the pointer to it, is declared; none where that is not written."""
-    while node is not None and node.type == "parenthesized_expression" and node.named_children:
-        node = node.named_children[0]
-    if node is not None and node.type == "pointer_expression" and node.children[0].type == "*":
-        node = node.child_by_field_name("argument")
+    node = _plain(node)
+    cast = _cast(node)
+    if cast is not None:
+        found = NO_REGISTER
+
+        def of_cast() -> None:
+            nonlocal found
+            found = type_of(body, cast)
+
+        return body.block(of_cast), found
     if node is None or node.type != "identifier":
         return [], NO_REGISTER
     variable = body.variable(word(node))
@@ -41,6 +48,10 @@ def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Blo
     written = variable.written
     if written is None or variable.raw or (written[0].text or b"").startswith(_LIBRARIES):
         return [], NO_REGISTER
+    return _written(body, written)
+
+
+def _written(body: Body, written: tuple[Node, Node | None]) -> tuple[Block, int]:
     found = NO_REGISTER
 
     def lower() -> None:
@@ -48,6 +59,54 @@ def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Blo
         found = declared_type(body, *written)
 
     return body.block(lower), found
+
+
+def _plain(node: Node | None) -> Node | None:
+    """Without brackets, and `*` before a pointer."""
+    while node is not None and node.type == "parenthesized_expression" and node.named_children:
+        node = node.named_children[0]
+    if node is not None and node.type == "pointer_expression" and node.children[0].type == "*":
+        node = node.child_by_field_name("argument")
+    return node
+
+
+def _cast(node: Node | None) -> Node | None:
+    """The type of `static_cast<T>(x)`, `(T)x`."""
+    if node is not None and node.type == "cast_expression":
+        return node.child_by_field_name("type")
+    function = node.child_by_field_name("function") if node is not None and node.type == "call_expression" else None
+    if (
+        function is None
+        or function.type != "template_function"
+        or word(function.child_by_field_name("name")) not in _CASTS
+    ):
+        return None
+    types = function.child_by_field_name("arguments")
+    return types.named_children[0] if types is not None and len(types.named_children) == 1 else None
+
+
+_CASTS: Final = frozenset({"static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"})
+
+
+def seen_scope(body: Body, field: Node, node: Node | None, written: Written | None) -> tuple[Block, int]:
+    """The same for a field: `o.Base::x` says it, a cast, a reference or pointer to a class of the program."""
+    if written is not None and len(written.parts) > 1:
+        found = NO_REGISTER
+
+        def lower() -> None:
+            nonlocal found
+            found = of_parts(body, field, written._replace(parts=written.parts[:-1]), "value")
+
+        return body.block(lower), found
+    plain = _plain(node)
+    if _cast(plain) is not None:
+        return declared(body, node, body.place(field))
+    variable = body.variable(word(plain)) if plain is not None and plain.type == "identifier" else None
+    if variable is None or variable.written is None or variable.raw:
+        return [], NO_REGISTER
+    type_node, shape = variable.written
+    leads = has(shape, REFERENCES | POINTERS) and type_node.type == "type_identifier"
+    return _written(body, variable.written) if leads else ([], NO_REGISTER)
 
 
 def is_constant(body: Body, node: Node | None, *, through: bool = False) -> bool:

@@ -13,17 +13,18 @@ from rosward.frontends.cpp.declarators import named
 from rosward.frontends.cpp.lower import narrowing
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.choices import statements
-from rosward.frontends.cpp.lower.declarations import condition
+from rosward.frontends.cpp.lower.declarations import condition, own
 from rosward.frontends.cpp.lower.initialisers import construct, given
 from rosward.frontends.cpp.lower.jumps import goto, leaves
 from rosward.frontends.cpp.lower.literals import is_of
+from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.narrowing import Outcome
 from rosward.frontends.cpp.lower.survey import word
-from rosward.frontends.cpp.lower.types import POINTERS, builtin, declared_type, has
+from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, builtin, declared_type, has
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.control import Break, Continue, Handler, If, Raise, Return, Try
 from rosward.ir.core import NO_REGISTER
-from rosward.ir.cpp import Convert, Deref, EndScope
+from rosward.ir.cpp import Convert, Copy, Deref, EndScope
 from rosward.ir.op import Block
 
 if TYPE_CHECKING:
@@ -166,19 +167,26 @@ def _returned(body: Body, node: Node, value: Node) -> int:
             return body.value(value)
         kind = declared_type(body, returns.type, returns.declarator, result=True)
         return construct(body, node, kind, given(body, value, copy=True))
-    own = body.variable(word(value)) if value.type == "identifier" else None
-    src = body.value(value) if own is not None and not own.reference else body.own(value)
+    variable = body.variable(word(value)) if value.type == "identifier" else None
+    is_own = variable is not None and not variable.reference
     if returns.plain or (is_of(builtin(returns.type), value) and not has(returns.declarator, POINTERS)):
-        return src
-    kind = declared_type(body, returns.type, returns.declarator, result=True)
+        return body.value(value) if is_own else body.own(value)
     dst = body.register()
-    body.emit(Convert(*body.place(node), dst, src, kind, "init"))
+    if is_own or not is_lvalue(value):
+        src = body.value(value) if is_own else body.own(value)
+        kind = declared_type(body, returns.type, returns.declarator, result=True)
+        body.emit(Convert(*body.place(node), dst, src, kind, "value"))
+        return dst
+    src = body.slot(value)
+    kind = declared_type(body, returns.type, returns.declarator, result=True)
+    body.emit(Copy(*body.place(node), dst, src, kind))
+    body.emit(Convert(*body.place(node), dst, dst, kind, "init"))
     return dst
 
 
 def _throw(body: Body, node: Node) -> None:
     inner = [child for child in node.named_children if child.type != "comment"]
-    src = body.own(inner[0]) if inner else NO_REGISTER
+    src = own(body, inner[0]) if inner else NO_REGISTER
     body.emit(Raise(*body.place(node), src))
 
 
@@ -235,7 +243,16 @@ def _caught(body: Body, node: Node, bind: int) -> None:
     declarator = node.child_by_field_name("declarator")
     name = None if declarator is None else named(declarator)[0]
     if name is not None and name.type == "identifier":
-        found = body.declare(word(name), pointer=True, constant=has_const(node) and not has(declarator, POINTERS))
+        is_reference = has(declarator, REFERENCES)
+        found = body.declare(
+            word(name), reference=is_reference, pointer=True, constant=has_const(node) and not has(declarator, POINTERS)
+        )
+        type_node = node.child_by_field_name("type")
+        found.written = None if type_node is None else (type_node, declarator)
+        if not is_reference and not has(declarator, POINTERS) and type_node is not None:
+            copy = body.register()
+            body.emit(Copy(*body.place(node), copy, bind, declared_type(body, type_node, declarator)))
+            bind = copy
         body.write(node, found, bind)
 
 

@@ -8,6 +8,7 @@ decltype(x)           TypeOfValue of the slot of x
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body, Want
@@ -172,9 +173,32 @@ def _class(body: Body, node: Node) -> int:
     symbol = body.shared.local(node)
     if symbol is None:
         return body.unknown(node, "syntax")
+    types: dict[str, int] = {}
+    variables: dict[str, int] = {}
+    for mentioned in _mentioned(node):
+        variable = body.variable(mentioned)
+        if variable is None or variable.path:
+            continue
+        if variable.raw:
+            types[mentioned] = body.held(node, variable)
+        elif variable.reference or variable.constant:
+            variables[mentioned] = body.of_variable(node, variable, "slot")
     dst = body.register()
-    body.emit(LocalSymbol(*body.place(node), dst, symbol))
+    names, registers = (*types, *variables), (*types.values(), *variables.values())
+    body.emit(LocalSymbol(*body.place(node), dst, symbol, names, registers, len(types)))
     return dst
+
+
+def _mentioned(node: Node) -> Iterable[str]:
+    """The names in a class, each once."""
+    found: dict[str, None] = {}
+    waiting = list(reversed(node.named_children))
+    while waiting:
+        here = waiting.pop()
+        if here.type in ("identifier", "type_identifier", "namespace_identifier"):
+            found[word(here)] = None
+        waiting += reversed(here.named_children)
+    return found
 
 
 EXPRESSIONS: Final = dict.fromkeys(_BUILTIN | _CLASSES | {"decltype", "dependent_type", "type_descriptor"}, _type)

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is a value as one of a type: by its own constructor, by a cast, as the part of it that belongs to the type?
+
+f(const QoS & qos), f(10)       a QoS, made of 10
+Base b = derived;               the part of it that is a Base
+dynamic_cast<Lamp &>(x)         x, or std::bad_cast is thrown
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import join_all, lift, options
+from rosward.domain.compound import Tuple
+from rosward.domain.slots import Slot
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Ref, Unknown, Value
+from rosward.engine.cpp.construct import is_one, make
+from rosward.engine.cpp.constructors import constructors, least
+from rosward.engine.cpp.converting import buffer, by_operator, cast, derives, enumerator
+from rosward.engine.cpp.enumerations import is_enumeration
+from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.types import dotted, is_message, pointee
+from rosward.models.cpp.conversions import convert as convert_plain
+from rosward.models.cpp.copies import copied
+from rosward.models.cpp.exceptions import may_raise, raises
+from rosward.models.cpp.slots import read
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["as_one", "convert", "is_of_another"]
+
+
+def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
+    """A value as one of a type: what a parameter or variable of that type holds, or a cast makes."""
+    held = read(machine, value)
+    if kind == "buffer":
+        return buffer(value, held)
+    if kind == "value":
+        kind = "init"
+        if held.__class__ in (Ref, Choice) and is_of_another(machine, held, type_):
+            held = lift(lambda o: as_one(machine, o, type_) if is_of_another(machine, o, type_) else o, held)
+    target = pointee(type_)
+    if kind == "dynamic" or (target is not None and isinstance(target, Class)):
+        made = cast(machine, held, target if target is not None else type_, kind)
+        return made if kind != "dynamic" or target is not None else _of_reference(machine, made)
+    if not isinstance(type_, Class):
+        if isinstance(type_, Unknown) or is_message(type_):
+            return _message_of(machine, held, type_)
+        if is_enumeration(machine, type_):
+            return enumerator(machine, dotted(type_), (held,), "copy")
+        return convert_plain(machine, lift(lambda v: by_operator(machine, v, type_), held), type_, kind)
+    found: list[Value] = []
+    for option in options(held):
+        if is_one(machine, option, type_) or isinstance(option, Unknown) or kind != "init":
+            found.append(option)
+        else:
+            found.append(_converted(machine, option, type_))
+
+    return join_all(found)
+
+
+def _of_reference(machine: Engine, found: Value) -> Value:
+    """What `dynamic_cast<T &>(x)` gives, or throws."""
+    left = [option for option in options(found) if option != NONE]
+    if not left:
+        return raises(machine, "bad_cast", "std::bad_cast")
+    if len(left) < len(options(found)):
+        may_raise(machine, "bad_cast", "std::bad_cast")
+    return join_all(left)
+
+
+def is_of_another(machine: Engine, value: Value, type_: Value) -> bool:
+    """Whether a value may be an object of a class that derives from a type."""
+    held = read(machine, value) if isinstance(type_, Class) or is_message(type_) else UNBOUND
+    return any(isinstance(o, Ref) and derives(machine.obj(o).cls, type_) for o in options(held))
+
+
+def as_one(machine: Engine, value: Value, type_: Value) -> Value:
+    """A value of its own of a type: of an object of a class that derives from it, what belongs to the type."""
+
+    def one(option: Value) -> Value:
+        sliced = isinstance(option, Ref) and derives(machine.obj(option).cls, type_)
+        return make(machine, type_, (option,), "copy") if sliced else copied(machine, option)
+
+    return lift(one, read(machine, value))
+
+
+def _message_of(machine: Engine, value: Value, type_: Value) -> Value:
+    return make(machine, type_, (), "default") if isinstance(value, Tuple) and is_message(type_) else value
+
+
+def _converted(machine: Engine, value: Value, type_: Class) -> Value:
+    """An object that is made of a value implicitly; the value itself where no constructor takes it."""
+    if isinstance(value, Tuple):
+        return make(machine, type_, (value,), "brace-copy")
+    info = linked(machine).info(type_)
+    if info is None or isinstance(value, Slot):
+        return value
+    fitting = any(
+        least(s) <= 1 <= len(s.parameters) or any(p.pack for p in s.parameters) for s in constructors(machine, info)
+    )
+    return make(machine, type_, (value,), "copy") if fitting else value

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which of several functions that take the same types is meant: that for lvalues, for constants, or for what may be moved from?
+
+void set(const std::string & s);  void set(std::string && s);      set(name): the first; set("x"), set(std::move(name)): the second
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, Literal
+
+from rosward.domain.slots import Overloads, Slot
+from rosward.domain.values import Function, Ref, Value
+from rosward.engine.frame import Frame
+from rosward.ir.cpp import Argued
+from rosward.ir.program import TypePattern
+from rosward.ir.symbols import Signature
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["by_category", "of_constness", "same_parameters"]
+
+Category = Literal["lvalue", "constant", "rvalue"]
+_NEVER: Final = 0
+_AS_CONSTANT: Final = 1
+_EXACT: Final = 2
+
+
+def by_category(machine: Engine, functions: list[Function], args: tuple[Value, ...]) -> list[Function]:
+    """Those of several functions that fit best what the arguments are; all where that is not known."""
+    categories = _categories(machine, args)
+    if categories is None:
+        return functions
+    scores = [(f, [_fits(f, n, category) for n, category in enumerate(categories)]) for f in functions]
+    possible = [(f, score) for f, score in scores if _NEVER not in score] or scores
+    return [f for f, score in possible if not any(_better(other, score) for _, other in possible)]
+
+
+def _better(one: list[int], other: list[int]) -> bool:
+    return one != other and all(a >= b for a, b in zip(one, other, strict=True))
+
+
+def _categories(machine: Engine, args: tuple[Value, ...]) -> list[Category] | None:
+    """What the arguments of the call are that runs; None where these are not the arguments."""
+    frame = machine.frames[-1] if machine.frames else None
+    written = getattr(frame.op, "arguments", None) if frame is not None else None
+    if frame is None or not written or len(written) != len(args):
+        return None
+    found: list[Category] = []
+    for argued, value in zip(written, args, strict=True):
+        if not isinstance(argued, Argued) or argued.kind == "pack" or frame.registers[argued.register] is not value:
+            return None
+        found.append(_category(frame, argued, value))
+    return found
+
+
+def _category(frame: Frame, argued: Argued, value: Value) -> Category:
+    if argued.kind == "slot":
+        return "lvalue"
+    if argued.kind == "constant":
+        return "constant"
+    if argued.kind == "result" and (isinstance(value, Slot) or (isinstance(value, Ref) and value != frame.handed)):
+        return "lvalue"  # of a function that returns a reference
+    return "rvalue"
+
+
+def _fits(function: Function, number: int, category: Category) -> int:
+    signature = function.code.signature
+    if signature is None or number >= len(signature.parameters):
+        return _AS_CONSTANT
+    type_ = signature.parameters[number].type
+    if not type_.reference or _is_free(type_, frozenset(p.name for p in signature.template)):
+        return _AS_CONSTANT
+    if type_.reference == "&&":
+        return _EXACT if category == "rvalue" else _NEVER
+    if type_.const and not type_.pointers:
+        return _EXACT if category == "constant" else _AS_CONSTANT
+    return _EXACT if category == "lvalue" else _NEVER if not type_.pointers else _AS_CONSTANT
+
+
+def _is_free(type_: TypePattern, names: frozenset[str]) -> bool:
+    """Whether `T &&` takes whatever is given."""
+    return type_.reference == "&&" and len(type_.names) == 1 and type_.names[0] in names
+
+
+def of_constness(several: Overloads, *, constant: bool) -> Overloads:
+    """The functions that are for a constant object, or of two that differ in nothing else, the one for any other."""
+    own = [f.code.signature for f in several.functions]
+    if len(own) < 2 or not any(s is not None and s.constant for s in own) or all(s is None or s.constant for s in own):
+        return several
+    if constant:
+        kept = [f for f, s in zip(several.functions, own, strict=True) if s is None or s.constant or not s.leading]
+    else:
+        others = [s for s in own if s is not None and not s.constant]
+        kept = [
+            f
+            for f, s in zip(several.functions, own, strict=True)
+            if s is None or not s.constant or not any(same_parameters(s, other) for other in others)
+        ]
+    return several.only(tuple(kept)) if kept else several
+
+
+def same_parameters(one: Signature | None, other: Signature | None) -> bool:
+    """Whether two functions differ in nothing that they take."""
+    if one is None or other is None:
+        return one is other
+    return [p.type for p in one.parameters] == [p.type for p in other.parameters]
