@@ -14,6 +14,7 @@ from hashlib import blake2b
 from typing import Final, final
 
 from rosward.frontends.cpp.flow_marks import marked
+from rosward.frontends.cpp.outline import namespace_at
 from rosward.frontends.cpp.same import Merged
 from rosward.frontends.cpp.symbol import CppSymbol
 from rosward.frontends.cpp.symbol_file import FileSymbols
@@ -100,6 +101,16 @@ class CppSymbols:
     def main(self) -> CppSymbol | None:
         """The function `main`."""
         return next((s for s in self.at((), "main") if s.kind is SymbolKind.FUNCTION and s.defined), None)
+
+    @cached_property
+    def registered(self) -> Mapping[str, tuple[Scope, str]]:
+        """Where a macro registers a class for others to make by name, by what it says: the namespace and the file."""
+        return {
+            each.arguments[0]: (namespace_at(file.parsed, each.line), file.parsed.prepared.file)
+            for file in self.files
+            for each in file.parsed.prepared.registrations
+            if each.arguments
+        }
 
     @cached_property
     def marked(self) -> Mapping[str, Marked]:
