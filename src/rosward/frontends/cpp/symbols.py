@@ -112,6 +112,19 @@ class CppSymbols:
             if each.arguments
         }
 
+    def registered_class(self, name: str) -> Sequence[CppSymbol]:
+        """The declarations of a class by the name under which it is registered, looked for from the namespace of the macro outwards."""
+        *scope, own = name.removeprefix("::").split("::")
+        within, file = self.registered.get(name, ((), ""))
+        for length in range(0 if name.startswith("::") else len(within), -1, -1):
+            around = within[:length]
+            used = [use.target for use in self.used(around) if use.place.file == file]
+            for space in (around, *((*around, *target) for target in used), *used):
+                found = self.at((*space, *scope), own)
+                if found:
+                    return found
+        return ()
+
     @cached_property
     def marked(self) -> Mapping[str, Marked]:
         """The declarations with attributes that say how information flows, by dotted names; what a file of the program says goes first."""
