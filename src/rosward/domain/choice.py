@@ -70,7 +70,8 @@ def join(left: Value, right: Value) -> Value:
 
 def _are_alike(left: Const, right: Const) -> bool:
     """Whether two constants are one value, of whatever origins."""
-    return left.value.__class__ is right.value.__class__ and left.value == right.value
+    one, other = left.value, right.value
+    return one.__class__ is other.__class__ and (one == other or (one != one and other != other))
 
 
 def join_all(values: Iterable[Value]) -> Value:
