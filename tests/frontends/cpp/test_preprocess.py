@@ -264,7 +264,11 @@ def test_a_bomb_is_told() -> None:
 
 def test_a_macro_of_several_definitions_is_one_cause() -> None:
     """Each place is told, and all of them belong together, whichever file they are in."""
-    one = "#include <magic/magic.hpp>\n#ifdef MAGIC_FAST\n#define BUTTON(a) f(a)\n#else\n#define BUTTON(a) g(a)\n#endif\nint b = BUTTON(1);\nint c = BUTTON(2);\n"
+    there = "#include <magic/magic.hpp>\n#ifdef MAGIC_FAST\n"
+    one = (
+        there
+        + "#define BUTTON(a) f(a)\n#else\n#define BUTTON(a) g(a)\n#endif\nint b = BUTTON(1);\nint c = BUTTON(2);\n"
+    )
     other = one.replace("BUTTON", "OTHER")
     causes = [[f.causes for f in prepared(text).findings if f.code == "RW206"] for text in (one, other)]
     assert causes == [[("macro BUTTON",)] * 2, [("macro OTHER",)] * 2]
