@@ -21,7 +21,7 @@ LONGEST: Final = 400
 _TEXT = frozenset({"source", "findings", "rules", "one_cause", "guard", "holes", "records", "safe"})
 _DOMAIN = frozenset({"domain", "ir"}) | _TEXT
 _NAMING = frozenset({"naming", "effects", "ros"}) | _DOMAIN
-_ENGINE = frozenset({"engine", "models", "frontends", "ir"}) | _NAMING
+_ENGINE = frozenset({"engine", "models", "frontends", "ir", "deadline"}) | _NAMING
 _NETWORK = frozenset({"network", "ros"}) | _TEXT
 _POLICIES = frozenset({"policies"}) | _NETWORK
 _RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "influence", "suppression"}) | _POLICIES
@@ -31,6 +31,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "safe": frozenset(),
     "confined": frozenset(),
     "records": frozenset(),
+    "deadline": frozenset(),
     "source": _TEXT | {"_version"},
     "findings": _TEXT,
     "rule": frozenset({"records"}),

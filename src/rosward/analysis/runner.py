@@ -7,7 +7,6 @@ every worker has them. What comes out does not depend on where.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from functools import partial
@@ -17,6 +16,7 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.analysis.outcome import Done, Outcome, Outset, Task, outcome_of
 from rosward.analysis.read import SourcesRead
 from rosward.analysis.seen import Seen
+from rosward.deadline import Deadline
 from rosward.effects.entry import Entry
 from rosward.findings import Finding, Findings
 from rosward.rules import KILLED
@@ -58,7 +58,7 @@ class Runner:
         self._read = read
         self._outset = outset
         self._jobs = jobs
-        self._began = time.thread_time()
+        self._moment = Deadline(_MOMENT)
         self._workers: Workers | None = None
         self._known = None if store is None else _known(store, read, outset)
         self._exits = ExitStack()
@@ -108,7 +108,7 @@ class Runner:
             return False
         if self._workers is not None:
             return True
-        if time.thread_time() - self._began <= _MOMENT:
+        if not self._moment.is_over():
             return False
         from rosward.analysis.workers import can_fork
 

@@ -8,6 +8,7 @@ widen(Choice(0, 1), Choice(0, 1, 2))    Unknown('int')
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import reduce
 from typing import Final
 
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Slice, Tuple
@@ -77,28 +78,22 @@ def _are_alike(left: Const, right: Const) -> bool:
 def join_all(values: Iterable[Value]) -> Value:
     """The least value that covers all; UNBOUND where there are none."""
     found: dict[Value, None] = {}
-    unknown: Unknown | None = None
-    consts: dict[object, Const] = {}  # by the value alone
     for value in values:
-        for option in value.options if value.__class__ is Choice else (value,):
-            if option.__class__ is Unknown:
-                unknown = option if unknown is None else _join_unknown(unknown, option)
-            elif option.__class__ is Const:
-                text = option.value.__class__ is str
-                key = option.value if text else Const(option.value) if option.origins else option
-                before = consts.get(key)
-                if before is None:
-                    consts[key] = option
-                    found[option] = None
-                elif before.origins != option.origins:
-                    merged = Const(before.value, before.origins | option.origins)
-                    del found[before]
-                    consts[key] = merged
-                    found[merged] = None
-            elif option is not UNBOUND:
-                found[option] = None
-    if unknown is not None:
-        found[unknown] = None
+        if value.__class__ is Choice:
+            found.update(dict.fromkeys(value.options))
+        else:
+            found[value] = None
+    found.pop(UNBOUND, None)
+    if len(found) > 1:
+        for option in found:
+            if option.__class__ is Const and option.origins:
+                found = _merged(found)
+                break
+        unknowns = [o for o in found if o.__class__ is Unknown]
+        if unknowns:
+            for unknown in unknowns:
+                del found[unknown]
+            found[reduce(_join_unknown, unknowns)] = None
     if not found:
         return UNBOUND
     if len(found) == 1:
@@ -106,6 +101,23 @@ def join_all(values: Iterable[Value]) -> Value:
     if len(found) > MAX_NUMBERS:
         return _bounded(tuple(found))
     return Choice(tuple(found))
+
+
+def _merged(values: Iterable[Value]) -> dict[Value, None]:
+    """Values of which constants may differ in their origins alone: such are one, of all their origins."""
+    found: dict[Value, None] = {}
+    consts: dict[object, Const] = {}  # by the value alone
+    for value in values:
+        option = value
+        if option.__class__ is Const:
+            key = option.value if option.value.__class__ is str else Const(option.value)
+            before = consts.get(key)
+            if before is not None:
+                del found[before]
+                option = Const(before.value, before.origins | option.origins)
+            consts[key] = option
+        found[option] = None
+    return found
 
 
 def _bounded(values: tuple[Value, ...]) -> Value:

@@ -7,11 +7,11 @@ at once, calls of one function share a context. `budget.py` says how much each m
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Final, final
+from typing import TYPE_CHECKING, final
 
+from rosward.deadline import Deadline
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.records import NamedTuple
 from rosward.rules import TIME_LIMIT
@@ -39,10 +39,6 @@ class Effort(NamedTuple):
     coarse: bool
 
 
-_STEPS_APART: Final = 200
-"""So many steps lie between two looks at the clock."""
-
-
 @final
 class Precision:
     """The steps and turns that were spent, and what that means for those to come."""
@@ -53,7 +49,6 @@ class Precision:
         "_coarse_limit",
         "_heavy",
         "_in_callbacks",
-        "_looked",
         "_repeated",
         "begun",
         "budget",
@@ -78,8 +73,7 @@ class Precision:
         self.coarse = False  # precision is given up: too many steps were spent
         # behind it precision is given up, until the outermost loop ends
         self.loop_limit = int(budget.steps * budget.coarse)
-        self.deadline = time.thread_time() + budget.seconds
-        self._looked = -_STEPS_APART  # the step at which the clock was last asked
+        self.deadline = Deadline(budget.seconds)
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
         self._repeated = 0  # steps that counted and were not taken, as what they do was known
@@ -102,11 +96,8 @@ class Precision:
             raise LimitReachedError(f"more than {self.step_limit} steps", where.place)
 
     def check_time(self, where: Execution) -> None:
-        """Raise where the process has used up its time. To ask the clock takes as long as many steps: it is asked now and then."""
-        if self.steps - self._looked < _STEPS_APART:
-            return
-        self._looked = self.steps
-        if time.thread_time() > self.deadline:
+        """Raise where the process has used up its time."""
+        if self.deadline.is_over():
             raise LimitReachedError(f"more than {self.budget.seconds:g} {TIME_LIMIT}", where.place)
 
     # Loops

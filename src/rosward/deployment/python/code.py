@@ -11,11 +11,11 @@ they hold. Each run of a file and each call has a context of its own, as launch 
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.deadline import Deadline
 from rosward.deployment.python.actions import Actions
 from rosward.deployment.python.context import PerformedContext
 from rosward.deployment.python.expression import Expressions
@@ -66,7 +66,7 @@ class LaunchPython:
         self._log.launch = self._context
         self._expressions = Expressions(self._machine)
         self._most = _CALLS * self._budget.steps
-        self._end = time.thread_time() + self._budget.seconds
+        self._end = Deadline(self._budget.seconds)
         self._roots: dict[str, Code] = {}
         self._turns = 0
         self._started: Performer | None = None  # the execution whose command line sys.argv is
