@@ -27,7 +27,7 @@ M, F, L, K = Claim.MISSING, Claim.FAILS, Claim.MORE, Claim.KNOWN
 E, W, N = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
 CLAIMS: Final = {
-    **dict.fromkeys(("RW001", "RW002", "RW003", "RW005", "RW006", "RW008", "RW012", "RW016", "RW018"), (M, E)),
+    **dict.fromkeys(("RW001", "RW002", "RW003", "RW005", "RW006", "RW008", "RW012", "RW016", "RW018", "RW019"), (M, E)),
     **dict.fromkeys(("RW004", "RW014", "RW015"), (L, W)),
     "RW017": (F, W),  # the folder is read whatever its package.xml says
     "RW009": (F, W),  # the package is there and the module is not: the executable does not start

@@ -78,6 +78,12 @@ _TABLE: Final = (
     ),
     Rule("RW017", "invalid package.xml", _W, "Fix it: the ROS tools reject the package. Its folder was still read."),
     Rule("RW018", "C++ cannot be read", _E, "Install the missing packages. No program in C++ is in the result."),
+    Rule(
+        "RW019",
+        "C++ program without its source",
+        _E,
+        "Add the source of the class or of the function main to the analysis. What the program creates is missing.",
+    ),
     # Names and types
     Rule("RW101", "unknown name", _E, "Give the missing value a default in the source."),
     Rule("RW102", "partially known name", _W, "Supply the missing part, or accept the wildcard in the policy."),

@@ -145,8 +145,7 @@ class Compiled:
         program = self.program(name)
         if program is None:
             return ()
-        *scope, own = self._planned[name].entry.classes[0].removeprefix("::").split("::")
-        places = tuple(symbol.place for symbol in program.at(tuple(scope), own))
+        places = tuple(symbol.place for symbol in program.registered_class(self._planned[name].entry.classes[0]))
         self._linked[name] = self._linked[name]._replace(places=places)
         return places
 

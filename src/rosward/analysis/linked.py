@@ -36,9 +36,10 @@ def start(machine: Interpreter, entry: Entry, configuration: Configuration | Non
         given = (Tuple(own or ()), Const(own is None))
         if not start_component(machine, symbols, entry.classes[0], entry.host or _HOST, given, place):
             message = f"The class {entry.classes[0]} is not among the sources of {entry.label}."
-            machine.log.findings.add(Finding("RW009", message, place))
+            machine.log.findings.add(Finding("RW019", message, place))
         return
-    if isinstance(symbols, CppSymbols) and symbols.main is not None and not _speaks_of_ros(symbols):
+    is_of_ros = not isinstance(symbols, CppSymbols) or _speaks_of_ros(symbols)
+    if symbols.main is not None and not is_of_ros:
         return
     folder = Hole((Reason(Cause.FILE, "folder of the executable", place),))
     name = entry.executable or entry.file.rpartition("/")[2].rpartition(".")[0]
@@ -49,7 +50,7 @@ def start(machine: Interpreter, entry: Entry, configuration: Configuration | Non
         words = machine.new_list((program,), machine.unknown(Cause.ARGUMENT, "argv", "str"))
     if not start_main(machine, symbols, words, place):
         message = f"{entry.label} has no function main among the sources."
-        machine.log.findings.add(Finding("RW009", message, place))
+        machine.log.findings.add(Finding("RW019" if is_of_ros else "RW009", message, place))
 
 
 def _speaks_of_ros(symbols: CppSymbols) -> bool:

@@ -42,7 +42,8 @@ class LinkedFunction(NamedTuple):
 def creating_functions(program: CppSymbols, file: FileSymbols, creating: frozenset[str]) -> tuple[LinkedFunction, ...]:
     """Those of one of the files of a program."""
     wanted = re.compile(rb"\b(?:" + "|".join(map(re.escape, sorted(creating))).encode() + rb")\b")
-    plugins = {each.arguments[0] for each in file.parsed.prepared.registrations if each.arguments}
+    names = {each.arguments[0] for each in file.parsed.prepared.registrations if each.arguments}
+    plugins = {"::".join(filter(None, (*s.scope, s.name))) for name in names for s in program.registered_class(name)}
     found: list[LinkedFunction] = []
     for symbol in file.functions(wanted):
         whole = next((s for s in program.at(symbol.scope, symbol.name) if s.key == symbol.key), symbol)

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rosward.deployment.tree import Description, LaunchAction, Template
     from rosward.domain.values import Value
     from rosward.findings import Finding
+    from rosward.source.location import Place
 
 
 class Performer(LaunchSettings, Protocol):
@@ -44,6 +45,9 @@ class PythonCode(Protocol):
         context: bool,
     ) -> tuple[LaunchAction, ...]:
         """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
+
+    def appended(self, place: Place, performer: Performer) -> tuple[LaunchAction, ...]:
+        """The actions that functions have added to launch descriptions since these were read."""
 
     def perform(self, substitution: Value, performer: Performer) -> Value:
         """`substitution.perform(context)` of a class of the analysed sources: a text."""

@@ -15,7 +15,7 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Rang
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import common
 from rosward.domain.unknown import TAKEN_FOR_NOTHING, Cause, Reason
-from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value, is_nan
 from rosward.source.location import Place
 
 MAX_OPTIONS: Final = 64
@@ -71,7 +71,8 @@ def join(left: Value, right: Value) -> Value:
 
 def _are_alike(left: Const, right: Const) -> bool:
     """Whether two constants are one value, of whatever origins."""
-    return left.value.__class__ is right.value.__class__ and left.value == right.value
+    one, other = left.value, right.value
+    return one.__class__ is other.__class__ and (one == other or (is_nan(one) and is_nan(other)))
 
 
 def join_all(values: Iterable[Value]) -> Value:

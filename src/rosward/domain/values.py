@@ -34,8 +34,15 @@ Reduced = tuple[type, tuple[object, ...]]
 _PLAIN_HASH: Final = 1 << 60
 
 
+def is_nan(value: Plain) -> bool:
+    """Whether it is the one constant that Python says is not equal to itself."""
+    return value != value  # noqa: PLR0124
+
+
 def _hash_of(value: Plain) -> int:
     """The hash of a constant. Python's own has one value for endlessly many numbers, so that a dict of such numbers would take for ever."""
+    if is_nan(value):
+        return hash((value.__class__, "nan"))
     if value.__class__ is int and not -_PLAIN_HASH < value < _PLAIN_HASH:
         return hash((int, hex(value)))
     if value.__class__ is float and not -_PLAIN_HASH < value < _PLAIN_HASH:
@@ -47,7 +54,7 @@ def _hash_of(value: Plain) -> int:
 
 @final
 class Const(Value):
-    """A constant of Python: None, bool, int, float, complex, str, bytes."""
+    """A constant of Python: None, bool, int, float, complex, str, bytes. As a value NaN is one, although Python says that none equals another."""
 
     __slots__ = ("_hash", "origins", "value")
 
@@ -61,7 +68,7 @@ class Const(Value):
             other.__class__ is Const
             and self._hash == other._hash
             and self.value.__class__ is other.value.__class__
-            and self.value == other.value
+            and (self.value == other.value or (is_nan(self.value) and is_nan(other.value)))
             and self.origins == other.origins
         )
 

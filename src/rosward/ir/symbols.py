@@ -201,6 +201,10 @@ class Symbols(Protocol):
         """The variables of namespaces, and static members, in the order in which a program gives them their first values."""
 
     @property
+    def registered(self) -> Mapping[str, tuple[Scope, str]]:
+        """Where a macro registers a class for others to make by name, by what it says: the namespace and the file."""
+
+    @property
     def main(self) -> Symbol | None:
         """The function `main`."""
 

@@ -66,9 +66,10 @@ def _name_made_anew(what: str, text: str, place: Place) -> Finding:
 
 
 def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple[str, ...] = ()) -> Finding:
-    """A name that rcl rejects; `depends_on`: whose default it is, so that another value may be valid."""
+    """A name that rcl rejects; `depends_on`: whose default it is, so that another value may be valid. Such names of one call are one cause."""
     default = f" (the default of {', '.join(depends_on)})" if depends_on else ""
-    return Finding("RW103", f"{with_stars(text)!r} is not a valid name for a {kind}: {why}{default}", place)
+    message = f"{with_stars(text)!r} is not a valid name for a {kind}: {why}{default}"
+    return Finding("RW103", message, place, (f"names of the {kind} at {place.file}:{place.line}",))
 
 
 def unknown_arguments(reasons: tuple[Reason, ...], place: Place) -> Finding:

@@ -90,8 +90,21 @@ def resolution_of(origins: Origins) -> Resolution:
     return Resolution.BOUND if all(o.given for o in origins) else Resolution.DEFAULT
 
 
-_TYPE: Final = re.compile(r"[A-Z][A-Za-z0-9]*$")
-"""How rosidl lets a message, service or action be called."""
+_TYPE: Final = re.compile(
+    r"[A-Z][A-Za-z0-9]*(?:_(?:Request|Response|Event|Goal|Result|Feedback|FeedbackMessage|SendGoal|GetResult))*$"
+)
+"""How rosidl lets a message, service or action be called, and calls those that it makes of a service or action."""
+
+_IMPL: Final = {
+    "SendGoalService": "SendGoal",
+    "GetResultService": "GetResult",
+    "FeedbackMessage": "FeedbackMessage",
+}
+_OF_ALL_ACTIONS: Final = {
+    "CancelGoalService": "action_msgs/srv/CancelGoal",
+    "GoalStatusMessage": "action_msgs/msg/GoalStatusArray",
+}
+"""What the class `Impl` of an action has: types of the action under other names, and those that all actions share."""
 
 
 def interface_type(value: Value) -> str | None:
@@ -101,6 +114,10 @@ def interface_type(value: Value) -> str | None:
     parts = value.name.split(".")
     if len(parts) >= 3 and parts[1] in PARTS:
         inner = [p for p in parts[2:] if not p.startswith("_")]
+        if parts[1] == "action" and inner[1:2] == ["Impl"] and len(inner) > 2:
+            if inner[2] in _OF_ALL_ACTIONS:
+                return "_".join((_OF_ALL_ACTIONS[inner[2]], *inner[3:]))
+            inner[1:3] = [_IMPL.get(inner[2], inner[2])]
         return "/".join((parts[0], parts[1], "_".join(inner))) if inner and _TYPE.match(inner[0]) else None
     return None
 

@@ -260,3 +260,15 @@ def test_texts_that_would_not_end(text: str) -> None:
 
 def test_a_bomb_is_told() -> None:
     assert {f.code for f in prepared(_bomb(30) + "A30").findings} == {"RW201"}
+
+
+def test_a_macro_of_several_definitions_is_one_cause() -> None:
+    """Each place is told, and all of them belong together, whichever file they are in."""
+    there = "#include <magic/magic.hpp>\n#ifdef MAGIC_FAST\n"
+    one = (
+        there
+        + "#define BUTTON(a) f(a)\n#else\n#define BUTTON(a) g(a)\n#endif\nint b = BUTTON(1);\nint c = BUTTON(2);\n"
+    )
+    other = one.replace("BUTTON", "OTHER")
+    causes = [[f.causes for f in prepared(text).findings if f.code == "RW206"] for text in (one, other)]
+    assert causes == [[("macro BUTTON",)] * 2, [("macro OTHER",)] * 2]

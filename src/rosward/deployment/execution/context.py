@@ -59,6 +59,8 @@ class Context:
         """The path of the current launch file; several where that depends on something unknown, None outside of any."""
         self.exceeded = False
         """Whether there were more alternatives of the ROS state than are kept apart."""
+        self.unread = False
+        """Whether an action or a launch file was executed that could not be read: it may have set any configuration."""
 
     # Launch configurations
 

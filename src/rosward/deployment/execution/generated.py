@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from rosward.deployment.execution.findings import FindingLog
     from rosward.deployment.execution.launch_files import LaunchFiles
     from rosward.deployment.tree import Template
+    from rosward.findings import Finding
 
 MAX_WAYS: Final = 8
 MAX_FILES: Final = 2_000
@@ -64,7 +65,7 @@ class GeneratedFiles:
         self._files = files
         self._findings = findings
         self._made: dict[str, Content] = {}
-        self._read: dict[str, Content] = {}
+        self._read: dict[str, tuple[Content, tuple[Finding, ...]]] = {}
 
     def write(self, content: Content) -> Value:
         """A new file; its path."""
@@ -73,8 +74,8 @@ class GeneratedFiles:
             self._made[path] = content
         return Const(path)
 
-    def content(self, path: Value, place: Place) -> Content:
-        """The content of the file behind one path (not a Choice)."""
+    def content(self, path: Value, place: Place, *, as_text: bool = False) -> Content:
+        """The content of the file behind one path (not a Choice). `as_text`: what is wrong with it as parameters does not matter yet."""
         made = self._made.get(plain_text(path) or "")
         if made is not None:
             return made
@@ -83,7 +84,10 @@ class GeneratedFiles:
             return self._outside(path, place)
         if file not in self._read:
             self._read[file] = self._load(file, place)
-        return self._read[file]
+        content, findings = self._read[file]
+        if not as_text:
+            self._findings.add(*findings)
+        return content
 
     def _outside(self, path: Value, place: Place) -> Content:
         shown = self._files.show(path)
@@ -96,13 +100,12 @@ class GeneratedFiles:
     def _has(self, reason: Reason) -> bool:
         return reason.cause is Cause.SOURCES or self._files.has_package(reason.subject)
 
-    def _load(self, file: str, place: Place) -> Content:
+    def _load(self, file: str, place: Place) -> tuple[Content, tuple[Finding, ...]]:
         text = self._files.text(file)
         if text is None:
-            return Content(None, file=file, reason=Reason(Cause.FILE, file, place))
+            return Content(None, file=file, reason=Reason(Cause.FILE, file, place)), ()
         rows, findings = read_parameter_file(text, file)
-        self._findings.add(*findings)
-        return Content(rows, text, file)
+        return Content(rows, text, file), tuple(findings)
 
     def has_key(self, path: Value, key: Value, place: Place) -> Value:
         """HasNodeParams of nav2_common: 'True' where a key stands at the top of the file."""
@@ -127,7 +130,7 @@ class GeneratedFiles:
         """A parameter file whose text holds substitutions, performed now."""
 
         def one(option: Value) -> Value:
-            source = self.content(option, place)
+            source = self.content(option, place, as_text=True)
             if source.text is None:
                 if source.absent:
                     shown = self._files.show(option)
@@ -183,7 +186,7 @@ class GeneratedFiles:
         """ReplaceString of nav2_common: in the text of the file where that is at hand, else in names and values."""
 
         def one(option: Value) -> Value:
-            before = self.content(option, place)
+            before = self.content(option, place, as_text=True)
             if before.text is not None:
                 pieces: list[Value] = [Const(before.text)]
                 for old, new in pairs:

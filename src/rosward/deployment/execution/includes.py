@@ -4,7 +4,7 @@
 <include file="$(find-pkg-share demo)/launch/a.launch.xml"/>    ->    the Description of demo/launch/a.launch.xml
 
 A file that is not there is RW311, and the rest goes on. Configurations that it would have set are then not known to be set: whoever
-reads one finds what the including file has set, or a failure.
+reads one finds what the including file has set, or an unknown value.
 """
 
 from __future__ import annotations

@@ -62,7 +62,8 @@ def _configuration(scene: Scene, name: str, substitution: Substitution) -> Value
     if default is not None:
         return default
     reasons = (Reason(Cause.LAUNCH_ARGUMENT, name, substitution.place),)
-    scene.fails(f"the launch configuration '{name}' is not set", substitution.place, reasons)
+    if not scene.context.unread:  # else what could not be read, which was told, may have set it
+        scene.fails(f"the launch configuration '{name}' is not set", substitution.place, reasons)
     return Unknown(reasons, "str")
 
 

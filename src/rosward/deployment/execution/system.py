@@ -59,13 +59,14 @@ class RunningLaunch:
         self._budget = budget
         self._agenda = Agenda()
         self._containers: dict[tuple[Place, object, object], Value] = {}
+        self._calls = 0  # of functions of launch files
 
     def run(self, file: str, path: Value, at: At) -> None:
         """Execute a launch file, and then what waits for timers and events."""
         self.scene.context.files = (path,)
         description = self._descriptions.read(file, "any", self.scene)
         if description is not None:
-            self.walk(description.actions, at)
+            self._walk_description(description.actions, Place(file), at)
         later = self._agenda.next()
         while later is not None:
             self._fire(later)
@@ -84,6 +85,14 @@ class RunningLaunch:
                 self._by(verdict, partial(self._execute, action), at)
             else:
                 self._agenda.see_inside(action)
+
+    def _walk_description(self, actions: Sequence[tree.LaunchAction], place: Place, at: At) -> None:
+        """Execute the actions of a launch description, and then those that functions among them have added to it meanwhile."""
+        called = self._calls
+        self.walk(actions, at)
+        while self._calls > called:
+            called = self._calls
+            self.walk(self.scene.python.appended(place, self.scene), at)
 
     def _by(self, verdict: Truth, execute: Callable[[At], None], at: At) -> None:
         """Execute, or where that is open, join the state behind with the state before."""
@@ -137,6 +146,7 @@ class RunningLaunch:
         elif isinstance(action, tree.ForEach):
             self._loop(action, inner)
         elif isinstance(action, tree.Unread):
+            self.scene.context.unread = True
             self.scene.findings.tell("RW321", f"Not supported: {action.why.rstrip('.')}.", action.place)
         elif not isinstance(action, tree.Inert):
             raise TypeError(f"a {type(action).__name__} has no execution")
@@ -144,6 +154,7 @@ class RunningLaunch:
     def _called(
         self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], *, context: bool
     ) -> tuple[tree.LaunchAction, ...]:
+        self._calls += 1
         return self.scene.python.actions(function, args, kwargs, self.scene, context=context)
 
     # What starts something
@@ -239,7 +250,7 @@ class RunningLaunch:
         inner = at._replace(trail=(*at.trail, Inclusion(action.place, "", self._budget.left)))
         if action.path is None:
             self._set_arguments(action)
-            self.walk(action.body, inner)
+            self._walk_description(action.body, action.place, inner)
             return
         paths = options(self.scene.text(action.path))
         for path in paths:
@@ -252,10 +263,12 @@ class RunningLaunch:
         description = None
         if file is not None and self._allowed(action.place, at):
             description = self._descriptions.read(file, action.format, self.scene)
+        if description is None:
+            self.scene.context.unread = True
         self.scene.context.files = (normal_path(path),)
         self._set_arguments(action)
         if description is not None and file is not None:
-            self.walk(description.actions, at.inside(file))
+            self._walk_description(description.actions, Place(file), at.inside(file))
 
     def _set_arguments(self, action: tree.Include) -> None:
         for name, value in action.arguments:

@@ -7,7 +7,7 @@ LaunchDescription([Node(package='demo', executable='talker'), timer if late else
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Final, final
 
 from rosward.deployment.python.events import event_of
@@ -36,7 +36,7 @@ from rosward.deployment.tree import (
     Timer,
     Unread,
 )
-from rosward.domain.choice import options
+from rosward.domain.choice import join_all, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.values import NONE, Class, Const, Ref, Value
 from rosward.source.location import Place
@@ -94,6 +94,7 @@ class Actions:
             "launch_ros.actions.SetParameter": self._set_parameter,
             "launch_ros.actions.SetParametersFromFile": self._set_parameter,
         }
+        self._descriptions: dict[Ref, set[Value]] = {}  # the launch descriptions that were read, with their entities
         self._open: list[Ref] = []
         self._count = 0  # how many objects were read since the outermost of them
 
@@ -105,6 +106,33 @@ class Actions:
         for element in self.objects.elements(value):
             found += self._element(element, place)
         return _together(found)
+
+    def watch(self, descriptions: Iterable[Value]) -> None:
+        """Launch descriptions whose entities are read now, by whoever asks for this."""
+        for description in descriptions:
+            if isinstance(description, Ref):
+                self._unread(description)
+
+    def appended(self, place: Place) -> tuple[LaunchAction, ...]:
+        """The actions that were added to launch descriptions since they were read: launch, which goes through the list, comes to them."""
+        found: list[LaunchAction] = []
+        for description in list(self._descriptions):
+            for element in self._unread(description):
+                found += self._element(element, place)
+        return _together(found)
+
+    def _unread(self, description: Ref) -> list[SequenceItem]:
+        """The entities of a launch description that were not read yet."""
+        objects = self.objects
+        read = self._descriptions.setdefault(description, set())
+        found: list[SequenceItem] = []
+        for element in objects.elements(objects.machine.load_attr(description, "entities")):
+            values = options(element.value)
+            fresh = [value for value in values if value not in read]
+            read.update(fresh)
+            if fresh:
+                found.append(SequenceItem(join_all(fresh), element.sure and len(fresh) == len(values)))
+        return found
 
     def _element(self, element: SequenceItem, place: Place) -> tuple[LaunchAction, ...]:
         found = options(element.value)
@@ -150,6 +178,7 @@ class Actions:
         made = objects.place(ref)
         here = made if made.file else place
         if kind == _DESCRIPTION:
+            self._unread(ref)
             return self.entities(objects.machine.load_attr(ref, "entities"), here)
         if kind == _UNCHANGED:
             inner = objects.field(ref, "action")

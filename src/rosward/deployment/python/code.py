@@ -113,6 +113,7 @@ class LaunchPython:
                 self._tell("RW320", f"{_GENERATE}() does not return a LaunchDescription", here)
         if len(options(value)) > 1 and all(self._objects.is_a(o, _DESCRIPTION) for o in options(value)):
             # An early return: what all descriptions have in common is surely there.
+            self._read.watch(options(value))
             value = join_all(machine.load_attr(o, "entities") for o in options(value))
         return self._read.entities(value, here)
 
@@ -135,6 +136,15 @@ class LaunchPython:
                     self._tell("RW320", "this function raises an exception", place)
                     return ()
                 return self._read.entities(value, place)
+        except LimitReachedError as limit:
+            self._limit(limit, place)
+            return (Unread(place=place, why=limit.what),)
+
+    def appended(self, place: Place, performer: Performer) -> tuple[LaunchAction, ...]:
+        """The actions that functions have added to launch descriptions since these were read."""
+        try:
+            with self._running(performer, place):
+                return self._read.appended(place)
         except LimitReachedError as limit:
             self._limit(limit, place)
             return (Unread(place=place, why=limit.what),)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from itertools import takewhile
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lift, options
@@ -230,6 +231,7 @@ def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value,
     if len(args) == 1 and is_one(machine, args[0], info.cls) and not copies(machine, info):
         _take_over(machine, ref, info.cls, args[0])
         return True
+    is_delegated = linked(machine).constructing[-1:] == [(ref.address, info.cls)]
     with _as_class(machine, ref, info.cls):
         functions = [function_of(machine, s, info.env) for s in constructors(machine, info)]
         bases = inheriting(machine, info) if args else []
@@ -238,7 +240,8 @@ def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value,
             return initialise(machine, ref, info, (), {bases[0].env.address: args})
         if not functions and not inherited:
             return initialise(machine, ref, info, args, {})
-        chosen = choose(machine, [*functions, *inherited], args, ())
+        own = _not_delegating(machine, functions) if is_delegated else functions
+        chosen = choose(machine, [*own, *inherited], args, ())
 
         def run(function: Function) -> bool:
             base = inherited.get(function)
@@ -254,6 +257,16 @@ def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value,
             return NONE if run(function) else UNBOUND
 
         return each_apart(machine, list(chosen), one) is not UNBOUND
+
+
+def _not_delegating(machine: Engine, functions: list[Function]) -> list[Function]:
+    """The constructors that do not wait for one that they delegate to: none delegates to itself, by whatever way.
+
+    So `Sensor(double rate) : Sensor(static_cast<float>(rate))` means another one, although a value does not say which number type it has.
+    """
+    own = {f.code.key for f in functions}
+    waiting = set(takewhile(own.__contains__, (frame.code.key for frame in reversed(machine.frames))))
+    return [f for f in functions if f.code.key not in waiting] or functions
 
 
 def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:

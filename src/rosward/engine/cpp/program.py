@@ -57,11 +57,26 @@ def start_component(
     """Make a component and let it work, as the function template `host` of a model does with what is given; False where there is no such class."""
     _link(machine, symbols, place)
     _first_values(machine)
-    cls = named(machine, plugin)
+    cls = _registered(machine, plugin)
     if not isinstance(cls, Class):
         return False
     calls.invoke(machine, named(machine, host), given, (cls,))
     return True
+
+
+def _registered(machine: Engine, plugin: str) -> Value:
+    """The class of the name under which it is registered: what that means where the macro stands, else outside of any namespace."""
+    program = linked(machine)
+    within = program.symbols.registered.get(plugin)
+    if within is not None:
+        scope, file = within
+        parts = [Part(word) for word in plugin.removeprefix("::").split("::")]
+        absolute = plugin.startswith("::")
+        found = names.resolve(machine, program.namespace(machine, scope, file), parts, absolute=absolute)
+        cls = value_of(machine, found, None) if isinstance(found, Found) else found
+        if isinstance(cls, Class):
+            return cls
+    return named(machine, plugin)
 
 
 def named(machine: Engine, written: str) -> Value:

@@ -79,7 +79,7 @@ def holds(text: str, macros: Macros, asked: Asked, budget: int) -> bool | None:
         return None
     found = _answered(found, macros, asked)
     try:
-        expanded = Expansion(macros, budget, lambda _: None).expand(found)
+        expanded = Expansion(macros, budget, lambda _, __: None).expand(found)
     except TooMuchError:
         return None
     parser = _Expression(_answered([t for t in expanded if not t.isspace()], macros, asked), asked)

@@ -86,7 +86,7 @@ def _body(found: list[str]) -> tuple[str, ...]:
 class Expansion:
     """Expands with the macros of a moment; `budget` is how many tokens may still be made."""
 
-    def __init__(self, macros: Macros, budget: int, tell: Callable[[str], None]) -> None:
+    def __init__(self, macros: Macros, budget: int, tell: Callable[[str, str], None]) -> None:
         self.macros = macros
         self.budget = budget
         self._tell = tell
@@ -176,7 +176,8 @@ class Expansion:
                 body += [",", " ", *each.body] if body else each.body
             return Macro(macro.name, (EITHER, "(", *body, ")"))
         self._tell(
-            f"The macro {macro.name} has several definitions, and nobody knows which one holds: the first is taken."
+            macro.name,
+            f"The macro {macro.name} has several definitions, and nobody knows which one holds: the first is taken.",
         )
         return with_text[0] if with_text else there[0] if there else Macro(macro.name, ())
 

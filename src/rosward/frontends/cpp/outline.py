@@ -78,6 +78,21 @@ def outline(parsed: Parsed) -> Outline:
     return found
 
 
+def namespace_at(parsed: Parsed, line: int) -> Scope:
+    """The namespace around a line of a file."""
+    scope: Scope = ()
+    waiting = [_Waiting(parsed.tree.root_node, scope)]
+    while waiting:
+        node, scope, _ = waiting.pop()
+        for child in node.named_children:
+            if child.start_point[0] < line <= child.end_point[0] + 1:
+                if child.type == "namespace_definition":
+                    _namespace(child, scope, waiting, Outline([], {}, {}))
+                elif child.type in _GROUPS:
+                    waiting.append(_Waiting(child, scope))
+    return scope
+
+
 def _friends(parsed: Parsed, of: Declared) -> Iterator[Declared]:
     """The functions that a class defines as its friends, which are not its members. Most classes are not looked into."""
     waiting = [of]

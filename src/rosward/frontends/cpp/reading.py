@@ -155,12 +155,12 @@ class Reading:
                 result[: more + 1] = [" ".join(result[: more + 1])]
             self._out += result + [""] * (len(taken) - len(result))
 
-    def _tell_of_macro(self, message: str) -> None:
-        self._tell("RW206", message, len(self._out))
+    def _tell_of_macro(self, name: str, message: str) -> None:
+        self._tell("RW206", message, len(self._out), (f"macro {name}",))
 
-    def _tell(self, code: str, message: str, line: int) -> None:
+    def _tell(self, code: str, message: str, line: int, causes: tuple[str, ...] = ()) -> None:
         if len(self._findings) < 50:
-            self._findings.append(Finding(code, message, Place(self._source.file, line + 1)))
+            self._findings.append(Finding(code, message, Place(self._source.file, line + 1), causes))
 
     def _directive(self, directive: Directive) -> None:
         unit = self._unit
@@ -185,7 +185,7 @@ class Reading:
         text = directive.text
         if text[:1] not in {'"', "<"}:
             try:
-                text = "".join(Expansion(unit.macros, 10_000, lambda _: None).expand(tokens(text))).strip()
+                text = "".join(Expansion(unit.macros, 10_000, lambda _, __: None).expand(tokens(text))).strip()
             except TooMuchError:
                 text = ""
         found = _INCLUDE.match(text)

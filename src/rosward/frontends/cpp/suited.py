@@ -12,8 +12,11 @@ int (Lamp::*f)(int)                      int (*      f)(int)
 p->template set("a", 1);                 p->         set("a", 1);
 a ? b : throw E();                       a ? b : ~~~~~ E();
 using Ts::operator()...;                 using Ts::operator()   ;
+using std::sin, std::cos;                using std::sin;using  std::cos;
 template class Tree<Node>;               nothing: it runs nothing
 extern template int sum<int>(int);       the same
+
+Only the declarations of one `using` become wider: what stands behind them in the same line moves.
 """
 
 from __future__ import annotations
@@ -41,6 +44,9 @@ _MEMBER_OPERATOR: Final = re.compile(rf"{LITERAL}|[A-Za-z_]\w*|\.?\d(?:[eEpP][+-
 _VA_ARG: Final = re.compile(r"(?<=\bva_arg\()(\s*\w+\s*,\s*)([\w: ]+[*& ]*)(?=\))")
 _THROW: Final = re.compile(r"(\?[^?;{}]{0,300}:|\?)(\s*)throw\b")
 
+_USING_LIST: Final = re.compile(
+    r"((?:^|[;{}:])[ \t]*)(using\s(?!\s*namespace\b)[^;={}()\"]*,[^;={}()\"]*)(?=;)", re.MULTILINE
+)
 _USING_PACK: Final = re.compile(r"(\busing\s+\w+\s*::\s*operator\s*\(\s*\)\s*)(\.\.\.)")
 
 THROW: Final = "~~~~~"
@@ -50,7 +56,7 @@ MEMBER: Final = {".*": "%~", "->*": "%~~"}
 
 
 def suited(text: str) -> str:
-    """The text as the grammar likes it, each character where it was."""
+    """The text as the grammar likes it, each character where it was (but for lists of `using`)."""
     if "typename" in text:
         text = _TYPENAME.sub(_blank, text)
     if "::*" in text:
@@ -65,6 +71,8 @@ def suited(text: str) -> str:
         text = _NEW_POINTERS.sub(lambda found: found[1] + " " * len(found[2]), text)
     if "..." in text:
         text = _USING_PACK.sub(r"\1   ", text)
+    if "using" in text:
+        text = _USING_LIST.sub(_each_used, text)
     if "slots" in text:
         text = _SLOTS.sub(_blank, text)
     if "signals" in text:
@@ -74,6 +82,19 @@ def suited(text: str) -> str:
     if "template" in text:
         text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_nothing, text))
     return text
+
+
+def _each_used(found: re.Match[str]) -> str:
+    """A declaration of its own for each name of a list; commas within template arguments part nothing."""
+    pieces: list[str] = []
+    depth = start = 0
+    text = found[2]
+    for at, character in enumerate(text):
+        depth += (character == "<") - (character == ">")
+        if character == "," and not depth:
+            pieces.append(text[start:at])
+            start = at + 1
+    return found[1] + ";using ".join([*pieces, text[start:]])
 
 
 def _nothing(found: re.Match[str]) -> str:

@@ -14,6 +14,7 @@ from hashlib import blake2b
 from typing import Final, final
 
 from rosward.frontends.cpp.flow_marks import marked
+from rosward.frontends.cpp.outline import namespace_at
 from rosward.frontends.cpp.same import Merged
 from rosward.frontends.cpp.symbol import CppSymbol
 from rosward.frontends.cpp.symbol_file import FileSymbols
@@ -120,6 +121,29 @@ class CppSymbols:
     def main(self) -> CppSymbol | None:
         """The function `main`."""
         return next((s for s in self.at((), "main") if s.kind is SymbolKind.FUNCTION and s.defined), None)
+
+    @cached_property
+    def registered(self) -> Mapping[str, tuple[Scope, str]]:
+        """Where a macro registers a class for others to make by name, by what it says: the namespace and the file."""
+        return {
+            each.arguments[0]: (namespace_at(file.parsed, each.line), file.parsed.prepared.file)
+            for file in self.files
+            for each in file.parsed.prepared.registrations
+            if each.arguments
+        }
+
+    def registered_class(self, name: str) -> Sequence[CppSymbol]:
+        """The declarations of a class by the name under which it is registered, looked for from the namespace of the macro outwards."""
+        *scope, own = name.removeprefix("::").split("::")
+        within, file = self.registered.get(name, ((), ""))
+        for length in range(0 if name.startswith("::") else len(within), -1, -1):
+            around = within[:length]
+            used = [use.target for use in self.used(around) if use.place.file == file]
+            for space in (around, *((*around, *target) for target in used), *used):
+                found = self.at((*space, *scope), own)
+                if found:
+                    return found
+        return ()
 
     @cached_property
     def marked(self) -> Mapping[str, Marked]:

@@ -21,6 +21,7 @@ from rosward.models.ros.names import nodes_at
 from rosward.naming.command_line import ANY_NAME, type_word
 from rosward.naming.final_name import command_lines
 from rosward.naming.parameters import values_of
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.models.native import Machine
@@ -95,6 +96,32 @@ def override_of(machine: Machine, node: Value, name: str) -> Value | None:
     if others:
         found.append(machine.unknown(Cause.PARAMETER, f"{name}, which parameter_overrides may set"))
     return join_all(found) if found else None
+
+
+class Overrides(NamedTuple):
+    """What code and configuration set of a node: values by name, each with whether it surely is set; `others`: why there may be more."""
+
+    values: dict[str, tuple[Value, bool]]
+    others: tuple[str, ...]
+
+
+def overrides_of(machine: Machine, node: Value) -> Overrides:
+    """All parameters that somebody sets. Where it is not known who starts the process, there may be any."""
+    own, unknown = own_overrides(machine, node)
+    open_ = unread_files(machine, node)
+    effects = nodes_at(machine, node)
+    given: dict[str, list[Value]] = {}
+    for effect in effects:
+        for label, value in values_of(machine.log, effect).items():
+            given.setdefault(label, []).append(on_heap(machine, label, value))
+    outside = given.pop(ANY_NAME, None) is not None or machine.log.configuration is None or open_
+    found = {
+        label: (join_all([*values, *(Unknown((r,)) for r in open_)]), len(values) == len(effects))
+        for label, values in given.items()
+    }
+    found.update({label: (value, True) for label, value in own.items()})
+    others = (("set from outside",) if outside else ()) + (("set by parameter_overrides",) if unknown else ())
+    return Overrides(found, others)
 
 
 def own_overrides(machine: Machine, node: Value) -> tuple[dict[str, Value], bool]:

@@ -22,17 +22,14 @@ from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.containers import dicts
 from rosward.models.python.contents import plain_data
 from rosward.models.ros import parameter_table as table
-from rosward.models.ros.names import nodes_at
 from rosward.models.ros.parameter_given import (
     given_wrongly,
     initial_value,
-    on_heap,
+    overrides_of,
     own_overrides,
     type_label,
-    unread_files,
 )
-from rosward.naming.command_line import ANY_NAME, type_word
-from rosward.naming.parameters import values_of
+from rosward.naming.command_line import type_word
 
 if TYPE_CHECKING:
     from rosward.models.native import Machine
@@ -253,25 +250,11 @@ def _declare_given(call: NativeCall) -> Value:
     """
     machine = call.machine
     for node in options(call.args[0]):
-        own, others = own_overrides(machine, node)
-        open_ = unread_files(machine, node)
-        if machine.log.configuration is None or open_:
-            table.put_any(machine, node, "set from outside")
-        effects = nodes_at(machine, node)
-        given: dict[str, list[Value]] = {}
-        for effect in effects:
-            for label, value in values_of(machine.log, effect).items():
-                given.setdefault(label, []).append(on_heap(machine, label, value))
-        for label, values in given.items():
-            if label == ANY_NAME:
-                table.put_any(machine, node, "set from outside")
-            else:
-                value = join_all([*values, *(Unknown((r,)) for r in open_)])
-                _keep(machine, node, Const(label), value, sure=len(values) == len(effects))
-        for label, value in own.items():
-            _keep(machine, node, Const(label), value, sure=True)
-        if others:
-            table.put_any(machine, node, "set by parameter_overrides")
+        given = overrides_of(machine, node)
+        for why in given.others:
+            table.put_any(machine, node, why)
+        for label, (value, sure) in given.values.items():
+            _keep(machine, node, Const(label), value, sure=sure)
     return NONE
 
 

@@ -16,7 +16,7 @@ from rosward.domain.compound import External, Tuple
 from rosward.domain.text import readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
-from rosward.models.cpp.conversions import convert
+from rosward.models.cpp.conversions import convert, new_map
 from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.ros.handed import NOTHING, given, node_of, types_of
 from rosward.models.cpp.ros.parameter_types import BY_NUMBER, hint_of_word, word_of_type
@@ -26,7 +26,7 @@ from rosward.models.python.containers import dicts
 from rosward.models.ros import parameter_table as table
 from rosward.models.ros import parameters
 from rosward.models.ros.entities import create
-from rosward.models.ros.parameter_given import override_of
+from rosward.models.ros.parameter_given import override_of, overrides_of
 from rosward.naming.command_line import type_word
 
 if TYPE_CHECKING:
@@ -303,8 +303,20 @@ def _copy_all(call: NativeCall) -> Value:
 
 
 def _given_overrides(call: NativeCall) -> Value:
-    """`given_parameters(node)`: what is set from outside."""
-    return call.machine.unknown(Cause.PARAMETER, "set from outside", "dict")
+    """`given_parameters<Map, ParameterValue>(node)`: what is set from outside, by name; unknown where that may be anything."""
+    machine = call.machine
+    map_type, value_type = types_of(call)
+    found: list[Value] = []
+    for node in options(node_of(call, call.args[0])):
+        given = overrides_of(machine, node)
+        if given.others:
+            found.append(machine.unknown(Cause.PARAMETER, given.others[0], "dict"))
+            continue
+        made = new_map(machine, map_type)
+        for label, (value, sure) in given.values.items():
+            dicts.store(machine, made, Const(label), machine.call(value_type, (value,)), weak=not sure)
+        found.append(made)
+    return join_all(found)
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {

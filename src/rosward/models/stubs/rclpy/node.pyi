@@ -110,7 +110,7 @@ class Node:
         "_count_clients_or_servers", "_count_publishers_or_subscribers", "_declare_parameter_common",
         "_default_callback_group", "_descriptors", "_executor_weakref", "_get_info_by_topic", "_guard_conditions",
         "_guards", "_logger", "_logger_service", "_on_set_parameters_callbacks", "_parameter_event_publisher",
-        "_parameter_overrides", "_parameter_service", "_parameters", "_parameters_callbacks",
+        "_parameter_overrides", "_parameter_service", "_parameters_callbacks",
         "_post_set_parameters_callbacks", "_pre_set_parameters_callbacks", "_publishers", "_rate_group", "_services",
         "_set_parameters_atomically", "_set_parameters_atomically_common", "_subscriptions", "_time_source",
         "_timers", "_type_description_service", "_validate_qos_or_depth_parameter", "_validate_topic_or_service_name",
@@ -326,6 +326,19 @@ class Node:
 
     @native
     def get_parameters_by_prefix(self, prefix) -> dict: ...
+
+    _rosward_own_parameters = None
+
+    @property
+    def _parameters(self):
+        """The parameters by name, unless the program puts something of its own there."""
+        if self._rosward_own_parameters is None:
+            return Node.get_parameters_by_prefix(self, "")
+        return self._rosward_own_parameters
+
+    @_parameters.setter
+    def _parameters(self, value):
+        self._rosward_own_parameters = value
 
     def set_parameters(self, parameter_list):
         return [self._rosward_set_all([parameter]) for parameter in parameter_list]

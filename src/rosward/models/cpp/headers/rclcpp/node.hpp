@@ -477,7 +477,10 @@ public:
   {
     return rosward::message<rcl_interfaces::msg::ListParametersResult>();
   }
-  auto get_parameter_overrides() const {return rosward::given_parameters(_node);}
+  auto get_parameter_overrides() const
+  {
+    return rosward::given_parameters<std::map<std::string, ParameterValue>, ParameterValue>(_node);
+  }
 
   template<typename CallbackT>
   PreSetParametersCallbackHandle::SharedPtr add_pre_set_parameters_callback(CallbackT callback)
