@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from rosward.flow import cpp_calls
+from rosward.flow import cpp_calls, implicit
 from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees
 from rosward.flow.content import TooLongError
@@ -135,7 +135,7 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
         walker.interleave()
         item = elements(walker, iterable)
         given = run_callees(walker, op, body, seen)
-        item = item if given is None else item.joined(given)
+        item = item if given is None else item.joined(implicit.gone_through(walker, given))
         if seen.refs:  # C++: the interpretation has seen which
             item = Mark(item.mask, frozenset(seen.refs) | opaque(item))
         body.registers[op.item] = item.under(body.pc)

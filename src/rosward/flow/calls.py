@@ -32,6 +32,7 @@ from rosward.flow.site import callees, is_native
 from rosward.flow.ways import Way, each_way, either, joined_marks
 from rosward.ir import ops
 from rosward.ir.registers import reads
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -50,20 +51,21 @@ def run_callees(
     if not (seen.callees or seen.summaries or seen.calls or seen.performed):
         return None
     waiting = walker.bodies_of(seen)
-    result = _performed(walker, op, body, seen) if seen.performed and not names else None
+    spread = _spread(walker, op, body, seen) if isinstance(op, ops.Call) and op.spreads and not names else _NO_SPREAD
+    result = _performed(walker, op, body, seen, spread) if seen.performed and not names else None
     inside = body.pc | pc
     ways: list[Way] = []
-    called_here: set[str] = set()
+    called_here: set[str] = set(spread.ran)
     for key, apart in walker.sites.by_code(seen).items():
         several = apart
         function = several[0].function
         code = function.code
-        if names and code.name not in names:
+        if (names and code.name not in names) or key in spread.ran:
             continue
         mine = waiting.get(key, ())
         if len(several) > 1 and len(several) != len(mine):  # nobody tells them apart
             several = walker.sites.together(seen, key)
-        marks = _all_bound(walker, op, body, several)
+        marks = _all_bound(walker, op, body, several, spread)
         if told != NOTHING:
             marks = [[*m[:1], *(each.joined(told) for each in m[1:])] for m in marks]
         whole = marks[0] if len(marks) == 1 else joined_marks(marks)
@@ -96,22 +98,23 @@ def run_callees(
 _FEW: Final = 8
 
 
-def _performed(walker: Walker, op: ops.Op, body: Body, seen: Seen) -> Mark:
+def _performed(walker: Walker, op: ops.Op, body: Body, seen: Seen, spread: Spread) -> Mark:
     """The natives that an operation runs but does not call as it is written."""
-    spread = _spread_size(walker, op, body)
     result = NOTHING
     for native in seen.performed.values():
-        marks = [_handed(walker, op, body, h).under(spread) for h in native.args]
-        named = {n.removeprefix(MAYBE): _handed(walker, op, body, h).under(spread) for n, h in native.keywords}
+        marks = [_handed(walker, op, body, h, spread).under(spread.size) for h in native.args]
+        named = {
+            n.removeprefix(MAYBE): _handed(walker, op, body, h, spread).under(spread.size) for n, h in native.keywords
+        }
         result = result.joined(natives.perform(walker, op, body, seen, native, marks, named))
     if walker.attempts and may_fail(op, seen):
         walker.attempts[-1].mask |= result.mask
     return result
 
 
-def _all_bound(walker: Walker, op: ops.Op, body: Body, several: list[Called]) -> list[list[Mark]]:
+def _all_bound(walker: Walker, op: ops.Op, body: Body, several: list[Called], spread: Spread) -> list[list[Mark]]:
     """The marks of the parameters of each call; of many, joined."""
-    marks = [_bound(walker, op, body, called) for called in several]
+    marks = [_bound(walker, op, body, called, spread) for called in several]
     return marks if len(several) <= _FEW else [joined_marks(marks)]
 
 
@@ -147,19 +150,19 @@ def resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: i
     return walker.enter(activation, [everything] * len(code.parameters.names), pc)
 
 
-def _bound(walker: Walker, op: ops.Op, body: Body, called: Called) -> list[Mark]:
+def _bound(walker: Walker, op: ops.Op, body: Body, called: Called, spread: Spread) -> list[Mark]:
     """The marks of the parameters, in the order of their registers."""
-    spread = _spread_size(walker, op, body)
-    given = [_handed(walker, op, body, h) for h in called.args]
-    if spread:
-        given = [mark.under(spread) for mark in given]
+    given = [_handed(walker, op, body, h, spread) for h in called.args]
+    size = spread.size
+    if size:
+        given = [mark.under(size) for mark in given]
     named: dict[str, Mark] = {}
     for name, handed in called.keywords:
         unknown = name in (LOOSE, ORDER, ANY)
         plain = name if unknown else name.removeprefix(MAYBE)
-        named[plain] = _handed(walker, op, body, handed, "" if unknown else plain).under(spread)
-    made = Mark(body.registers[op.func].mask | spread if isinstance(op, ops.Call) else 0)
-    return in_parameters(walker, body, op.number, called.function, given, named, made, spread)
+        named[plain] = _handed(walker, op, body, handed, spread, "" if unknown else plain).under(size)
+    made = Mark(body.registers[op.func].mask | size if isinstance(op, ops.Call) else 0)
+    return in_parameters(walker, body, op.number, called.function, given, named, made, size)
 
 
 def in_parameters(
@@ -205,28 +208,50 @@ def _default(function: Function, made: Mark, name: str) -> Mark:
     return Mark(made.mask)
 
 
-def _spread_size(walker: Walker, op: ops.Op, body: Body) -> int:
-    """How many arguments `*` and `**` give, and so which of them is which."""
+class Spread(NamedTuple):
+    """What `*` and `**` give to a call: `size` decides how many arguments, and so which of them is which; `elements`: what methods of the
+    program say that these are, which `ran` for it.
+    """
+
+    size: int = 0
+    elements: Mark = NOTHING
+    ran: frozenset[str] = frozenset()
+
+
+_NO_SPREAD: Final = Spread()
+
+
+def _spread(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> Spread:
+    """The same of one call."""
     size = 0
-    if not isinstance(op, ops.Call) or not op.spreads:
-        return size
     for argument in op.arguments:
         if argument.is_spread:
             mark = body.registers[argument.register]
             size |= mark.mask | walker.memory.size(mark.roots)
-    return size
+    called = {f.code.key for f in callees(seen.functions) if isinstance(f, Function)}
+    asked = {
+        key: several[0].function.code.name
+        for key, several in walker.sites.by_code(seen).items()
+        if several[0].function.code.name in implicit.ELEMENTS and key not in called
+    }
+    if not asked:
+        return Spread(size)
+    given = run_callees(walker, op, body, seen, tuple(asked.values())) or NOTHING
+    found = implicit.gone_through(walker, given)
+    return Spread(size | found.mask, found, frozenset(asked))
 
 
-def _handed(walker: Walker, op: ops.Op, body: Body, handed: Handed, name: str = "") -> Mark:
+def _handed(walker: Walker, op: ops.Op, body: Body, handed: Handed, spread: Spread, name: str = "") -> Mark:
     """The mark of one argument: that of the registers in which it stands, else all that the operation reads, but for plain objects."""
     found = Mark(body.pc, frozenset(handed.refs))
     for register in handed.registers:
         found = found.joined(body.registers[register])
     if handed.registers:
         return found
-    spread = [a.register for a in op.arguments if a.kind == "doublestar"] if name and isinstance(op, ops.Call) else []
-    if spread:
-        for register in spread:
+    found = found.joined(spread.elements)
+    named = [a.register for a in op.arguments if a.kind == "doublestar"] if name and isinstance(op, ops.Call) else []
+    if named:
+        for register in named:
             mark = body.registers[register]
             found = found.joined(walker.memory.read(mark.roots, name)).under(mark.mask)
         return found

@@ -15,11 +15,12 @@ from rosward.domain.compound import BoundMethod
 from rosward.domain.values import Value
 from rosward.engine.seen import Seen, refs_of
 from rosward.flow.marks import Mark, Root
+from rosward.flow.reading import elements
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
 
-_ELEMENTS: Final = frozenset({"__iter__", "__next__", "__getitem__", "__reversed__", "__aiter__", "__anext__"})
+ELEMENTS: Final = frozenset({"__iter__", "__next__", "__getitem__", "__reversed__", "__aiter__", "__anext__", "keys"})
 """They give the elements of an object, or what gives them."""
 
 
@@ -47,8 +48,13 @@ def given_by(walker: Walker, marks: Iterable[Mark]) -> int:
     return mask
 
 
+def gone_through(walker: Walker, given: Mark) -> Mark:
+    """The elements of an object, of which methods gave this: elements, or what gives them."""
+    return given.joined(elements(walker, given)) if given.roots else given
+
+
 def with_elements(seen: Seen, marks: list[Mark], given: Mark | None) -> list[Mark]:
     """The arguments of a native, objects with what their methods gave it as their elements."""
-    if given is None or not any(a.code.name in _ELEMENTS for a in seen.callees):
+    if given is None or not any(a.code.name in ELEMENTS for a in seen.callees):
         return marks
     return [mark.joined(given) if mark.roots else mark for mark in marks]

@@ -247,6 +247,10 @@ def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
     root: Root = walker.shape.made(body.activation, op.number, "", "tuple")
     places: list[Root] = [*seen.refs] if op.kind != "tuple" else [root]
     size, slots, rest = body.pc, dict[object, Mark](), NOTHING
+    given = run_callees(walker, op, body, seen)
+    if given is not None:  # methods say what is spread
+        rest = implicit.gone_through(walker, given)
+        size |= rest.mask
     pending: int | None = None
     for number, (starred, register) in enumerate(op.items):
         mark = body.registers[register].under(body.pc)
@@ -282,6 +286,8 @@ def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
 def _unpack(walker: Walker, op: ops.Unpack, body: Body, seen: Seen) -> None:
     source = body.registers[op.src]
     given = run_callees(walker, op, body, seen)
+    if given is not None:
+        given = implicit.gone_through(walker, given)
     for number, register in enumerate(op.dsts):
         if op.star == ops.NO_REGISTER or number < op.star:
             found = walker.memory.read(source.roots, number)
@@ -309,7 +315,7 @@ def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
     if op.many:
         value = elements(walker, value).under(body.pc)
         given = run_callees(walker, op, body, seen)
-        value = value if given is None else value.joined(given)
+        value = value if given is None else value.joined(implicit.gone_through(walker, given))
     key = body.activation.code.key
     walker.memory.write_any([("generator", key)], value)
     thrown = walker.memory.of(("thrown", key)).any
