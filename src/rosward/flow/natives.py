@@ -16,7 +16,7 @@ from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.arguments import ANY, LOOSE, ORDER
 from rosward.engine.seen import refs_of
-from rosward.flow import containers, library, parameters, partials
+from rosward.flow import containers, implicit, library, parameters, partials
 from rosward.flow.constructed import fill
 from rosward.flow.content import Content
 from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, Root, decided, demoted, of_library
@@ -42,6 +42,7 @@ def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, m
     if isinstance(callee, External):
         if message_name(callee.name) is not None:
             return _message(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
+        marks = implicit.under_given(walker, callee.name, marks)
         if walker.shape.is_native(callee.name):
             return _native(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
         named = Mark(function.mask, frozenset((of_library(callee.name),)))
@@ -49,9 +50,10 @@ def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, m
     if isinstance(callee, BoundMethod):
         assert isinstance(callee.function, Native)
         name = callee.function.name
-        receiver = _receiver(walker, seen, callee, function)
+        receiver, *marks = implicit.under_given(walker, name, (_receiver(walker, seen, callee, function), *marks))
         return _native(NativeCall(walker, op, body, seen, name, [receiver, *marks], op.arguments, receiver))
     assert isinstance(callee, Native)
+    marks = implicit.under_given(walker, callee.name, marks)
     return _native(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
 
 
@@ -59,7 +61,7 @@ def perform(
     walker: Walker, op: ops.Op, body: Body, seen: Seen, native: Performed, marks: list[Mark], named: dict[str, Mark]
 ) -> Mark:
     """The same for one that the operation does not call as it is written, and is given this."""
-    all_marks = [*marks, *named.values()]
+    all_marks = implicit.under_given(walker, getattr(native.callee, "name", ""), (*marks, *named.values()))
     arguments = [ops.Argument("positional", ops.NO_REGISTER)] * len(marks)
     arguments += [ops.Argument("star" if n in (LOOSE, ORDER, ANY) else "keyword", ops.NO_REGISTER, n) for n in named]
     if not isinstance(native.callee, (Native, External)):
@@ -235,6 +237,7 @@ def _of_library(call: NativeCall) -> Mark:
             break
         for mark in body.arguments:
             mask |= call.walker.memory.deep(Mark(mark.mask, mark.roots - nodes))
+        mask |= implicit.given_by(call.walker, body.arguments)
     if call.key(1) == "cancel request":
         mask = call.pc | call.walker.sources.data(call.walker.source_here("cancel"))
     return call.computed(mask)

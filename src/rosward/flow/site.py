@@ -22,15 +22,17 @@ class Site:
     """Of one operation in one activation.
 
     `callees`: what is called as it is written; `unknown`: somebody may be called of whom nothing is known. `creates`: it only makes an object
-    of a class. `opens`: what it gives is open, and nothing of it is read yet. `spins`: callbacks run meanwhile.
+    of a class. `opens`: what it gives is open, and nothing of it is read yet. `spins`: callbacks run meanwhile. `calls_back`: a library runs
+    functions of the program.
     """
 
-    __slots__ = ("callees", "creates", "externals", "opens", "spins", "unknown")
+    __slots__ = ("callees", "calls_back", "creates", "externals", "opens", "spins", "unknown")
 
     def __init__(self, op: ops.Call, seen: Seen) -> None:
         functions = seen.functions
         self.callees = tuple(c for c in _apart(_as_written(op, functions)) if not isinstance(c, Function))
         self.unknown = not functions or not all(is_native(c) or isinstance(c, Class) for c in self.callees)
+        self.calls_back = bool(seen.calls) and any(map(is_native, self.callees))
         self.creates = len(seen.refs) == 1 and all(isinstance(f, Class) for f in functions)
         self.externals: frozenset[Root] = frozenset(map(of_library, seen.externals))
         self.opens = any(isinstance(f, Native) and f.name.endswith("open") for f in functions)

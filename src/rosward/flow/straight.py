@@ -39,7 +39,7 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     given = run_callees(walker, op, body, seen)
     roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
     if given is not None:
-        mask |= given.mask
+        mask |= implicit.made_of(walker, seen, given).mask
         roots |= leads(seen, given)
     for register in writes(op):
         body.registers[register] = Mark(mask, roots)
@@ -208,8 +208,8 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
     if op.narrowing:
         return
     owner, index, value = (body.registers[r] for r in (op.obj, op.index, op.src))
-    run_callees(walker, op, body, seen)
-    index = index.under(walker.memory.deep(index))
+    given = run_callees(walker, op, body, seen)
+    index = index.under(walker.memory.deep(index) | implicit.given_by(walker, (index,)))
     written = value.under(body.pc | demoted(owner.mask) | index.mask)
     key = constant(seen, op.index)
     if _SLICE in index.roots:
@@ -217,6 +217,8 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
         size = mask | value.mask | walker.memory.size(value.roots)
         walker.memory.take_out(owner.roots, mask)
         walker.memory.write_any(owner.roots, elements(walker, written), size)
+        if given is not None:
+            walker.memory.write_any(owner.roots, implicit.made_of(walker, seen, given), given.mask)
     elif key is None:
         walker.memory.write_any(owner.roots, written, index.mask | body.pc | demoted(owner.mask))
     else:
@@ -251,6 +253,8 @@ def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
     if given is not None:  # methods say what is spread
         rest = implicit.gone_through(walker, given)
         size |= rest.mask
+    if walker.implicit and op.kind in ("set", "dict"):  # which of them are equal
+        size |= implicit.given_by(walker, [body.registers[r] for _, r in op.items])
     pending: int | None = None
     for number, (starred, register) in enumerate(op.items):
         mark = body.registers[register].under(body.pc)
@@ -348,11 +352,14 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
         )
     elif op.name == "getattr":
         found = walker.memory.read_all(registers[0].roots)
+        given = run_callees(walker, op, body, seen)
+        found = found if given is None else found.joined(given)
         body.registers[op.dst] = Mark(found.mask | registers[0].mask | body.pc, leads(seen, found))
         return
     elif op.name in ("isinstance", "hasattr", "is_sequence", "is_mapping", "length_is", "length_at_least"):
         mask = body.pc | registers[0].mask | walker.memory.size(registers[0].roots)
-        body.registers[op.dst] = Mark(mask)
+        given = run_callees(walker, op, body, seen)
+        body.registers[op.dst] = Mark(mask if given is None else mask | given.mask)
         return
     plain(walker, op, body, seen)
     if op.name == "slice":

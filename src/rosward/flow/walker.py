@@ -183,6 +183,7 @@ class Walker:
         old = self.returned.get(entry, 0)
         if old | mask != old:
             self.returned[entry] = old | mask
+            self._remembered.clear()
             self.changed = True
 
     def call_implicitly(self, cls: int) -> None:
