@@ -93,7 +93,7 @@ def run_callees(
             result = computed if result is None else result.joined(computed)
             continue
         if not mine and code.is_stub:
-            whole = implicit.under_given(walker, name, whole)
+            whole = implicit.under_given(walker, name, whole, unseen=True)
             declared = natives.by_name(walker, op, body, seen, name, whole)
             declared = library.declared(walker, body, function, whole) if declared is None else declared
             result = declared if result is None else result.joined(declared)
@@ -204,7 +204,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         elif isinstance(callee, Class):
             result = result.joined(Mark(body.pc, frozenset(seen.refs)))
     if site.unknown:
-        owner, *passed = implicit.under_given(walker, "", (Mark(0, owners_of(function)), *marks))
+        owner, *passed = implicit.under_given(walker, "", (Mark(0, owners_of(function)), *marks), unseen=True)
         computed = library.unknown(walker, op, body, function.under(owner.mask), passed, op.arguments)
         result = result.joined(computed)
         if walker.attempts:
@@ -214,7 +214,8 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     if seen.scheduled:
         mask |= _given_back(walker, seen, [*marks, function] if site.unknown else [], function)
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))
-    _register(walker, op, body, seen, marks, pc)
+    if seen.scheduled:
+        schedule(walker, seen, marks, body.pc | pc, _hands(walker, function, seen))
     if site.spins:
         walker.join_beside()
 
@@ -273,9 +274,8 @@ def _addresses(value: Value) -> Iterable[int]:
             yield address
 
 
-def _register(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark], pc: int) -> None:
+def schedule(walker: Walker, seen: Seen, marks: Iterable[Mark], pc: int, hands: tuple[str, ...] = ()) -> None:
     """Callbacks that are registered here run only where control is here, and may be given what is at hand."""
-    hands = _hands(walker, body.registers[op.func], seen) if seen.scheduled else ()
     for _, entry in seen.scheduled:
         if hands and entry.event == BY_LIBRARY:
             walker.handed[entry] = hands
@@ -283,7 +283,7 @@ def _register(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[
         for mark in marks:
             given |= walker.memory.deep(mark) if entry.event not in _ARRIVING else 0
             callback = callback.joined(Mark(mark.mask, bound_in(mark)))
-        walker.register(entry, body.pc | pc, given, callback)
+        walker.register(entry, pc, given, callback)
 
 
 def _hands(walker: Walker, function: Mark, seen: Seen) -> tuple[str, ...]:

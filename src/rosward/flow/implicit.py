@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.compound import BoundMethod
 from rosward.domain.values import Value
 from rosward.engine.seen import Seen, refs_of
+from rosward.flow import hidden
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.reading import elements
 
@@ -50,11 +51,13 @@ def keep(walker: Walker, callback: Value, mask: int) -> None:
     for cls in _classes(walker, frozenset(roots)):
         walker.call_implicitly(cls)
         walker.memory.write_any([_results(cls)], Mark(mask))
+    if isinstance(callback, BoundMethod):
+        hidden.give_to_bases(walker, callback.receiver, mask)
 
 
 def arguments_of(walker: Walker, callback: Value) -> Mark:
     """What such a method may be called with: whatever was given along with an object of its class."""
-    found = NOTHING
+    found = Mark(hidden.of_bases(walker, callback.receiver)) if isinstance(callback, BoundMethod) else NOTHING
     roots = refs_of(callback.receiver if isinstance(callback, BoundMethod) else callback)
     for cls in _classes(walker, frozenset(roots)):
         found = found.joined(walker.memory.of(_arguments(cls)).whole)
@@ -69,14 +72,17 @@ def _classes(walker: Walker, roots: Iterable[Root]) -> Iterable[int]:
     return found
 
 
-def given_by(walker: Walker, marks: Iterable[Mark]) -> int:
-    """What may be in a value that Python makes of these, because it calls methods of them."""
-    if not walker.implicit:
+def given_by(walker: Walker, marks: Iterable[Mark], *, unseen: bool = False) -> int:
+    """What may be in a value that Python makes of these, because it calls methods of them; `unseen`: also those that are followed elsewhere."""
+    unseen = unseen and bool(walker.followed)
+    if not (walker.implicit or unseen):
         return 0
     mask, everything = 0, None
     marks = tuple(marks)
     for mark in marks:
         for cls in _classes(walker, walker.memory.reached(mark)):
+            if unseen:
+                mask |= walker.memory.of(("followed", cls)).whole.mask
             if cls not in walker.implicit:
                 continue
             mask |= walker.memory.of(_results(cls)).whole.mask
@@ -94,11 +100,11 @@ def _all(walker: Walker, marks: Iterable[Mark]) -> Mark:
     return found
 
 
-def under_given(walker: Walker, name: str, marks: Sequence[Mark]) -> list[Mark]:
+def under_given(walker: Walker, name: str, marks: Sequence[Mark], *, unseen: bool = False) -> list[Mark]:
     """What a function of a library is called with: whatever it makes of it may hold what methods of it gave."""
     found = list(marks)
-    if walker.implicit and name.removeprefix("builtins.") not in _CALL_NOTHING:
-        mask = given_by(walker, found)
+    if (walker.implicit or unseen) and name.removeprefix("builtins.") not in _CALL_NOTHING:
+        mask = given_by(walker, found, unseen=unseen)
         if mask:
             return [mark.under(mask) for mark in found]
     return found

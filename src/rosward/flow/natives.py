@@ -16,7 +16,7 @@ from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.arguments import ANY, LOOSE, ORDER
 from rosward.engine.seen import refs_of
-from rosward.flow import containers, implicit, library, parameters, partials
+from rosward.flow import containers, frames, implicit, library, parameters, partials
 from rosward.flow.constructed import fill
 from rosward.flow.content import Content
 from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, Root, decided, demoted, of_library
@@ -42,7 +42,7 @@ def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, m
     if isinstance(callee, External):
         if message_name(callee.name) is not None:
             return _message(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
-        marks = implicit.under_given(walker, callee.name, marks)
+        marks = implicit.under_given(walker, callee.name, marks, unseen=not walker.shape.is_native(callee.name))
         if walker.shape.is_native(callee.name):
             return _native(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
         named = Mark(function.mask, frozenset((of_library(callee.name),)))
@@ -61,7 +61,9 @@ def perform(
     walker: Walker, op: ops.Op, body: Body, seen: Seen, native: Performed, marks: list[Mark], named: dict[str, Mark]
 ) -> Mark:
     """The same for one that the operation does not call as it is written, and is given this."""
-    all_marks = implicit.under_given(walker, getattr(native.callee, "name", ""), (*marks, *named.values()))
+    called = getattr(native.callee, "name", "")
+    is_known = isinstance(native.callee, (Native, External)) and walker.shape.is_native(called)
+    all_marks = implicit.under_given(walker, called, (*marks, *named.values()), unseen=not is_known)
     arguments = [ops.Argument("positional", ops.NO_REGISTER)] * len(marks)
     arguments += [ops.Argument("star" if n in (LOOSE, ORDER, ANY) else "keyword", ops.NO_REGISTER, n) for n in named]
     if not isinstance(native.callee, (Native, External)):
@@ -139,11 +141,7 @@ def _variables(call: NativeCall) -> Mark:
     """The attributes of an object; without one, the variables of the function that runs, as they are now."""
     if call.marks or call.within:
         return _pass(call)
-    found, memory = NOTHING, call.walker.memory
-    for mark in call.body.registers:
-        found = found.joined(mark)
-    for cell in call.body.activation.cells:
-        found = found.joined(memory.read((cell,), "value"))
+    found = frames.variables(call.walker, call.body)
     owners = frozenset(map(call.walker.shape.owner, call.seen.refs))
     return call.new(Content(0, found, call.pc)) if owners == frozenset(call.seen.refs) else Mark(call.pc, owners)
 
@@ -235,7 +233,7 @@ def _of_library(call: NativeCall) -> Mark:
     for body in reversed(call.walker.bodies):
         if not body.activation.code.file.startswith("models:"):
             break
-        for mark in body.arguments:
+        for mark in dict.fromkeys((*body.arguments, *body.registers)):
             mask |= call.walker.memory.deep(Mark(mark.mask, mark.roots - nodes))
         mask |= implicit.given_by(call.walker, body.arguments)
     if call.key(1) == "cancel request":
@@ -314,6 +312,12 @@ def _run_code(call: NativeCall) -> Mark:
     return call.computed(mask)
 
 
+def _any_object(call: NativeCall) -> Mark:
+    """All objects that there are."""
+    call.walker.lost = True
+    return Mark(call.pc)
+
+
 def _handled(call: NativeCall) -> Mark:
     """The exception that is being handled; which one that is, is not told apart."""
     found = call.walker.memory.of(HANDLED).whole
@@ -330,6 +334,7 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **containers.KNOWN,
     **dict.fromkeys(("isinstance", "issubclass", "id", "callable", "super", "object"), _identity),
     **dict.fromkeys(("exec", "eval"), _run_code),
+    **dict.fromkeys(("gc.get_objects", "gc.get_referrers"), _any_object),
     **dict.fromkeys(("sys._handled", "traceback.format_exc"), _handled),
     "type": _type,
     "hasattr": _exists,
@@ -356,6 +361,9 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **dict.fromkeys(("_rosward.set_parameter", "_rosward.undeclare_parameter"), _set_parameter),
     **dict.fromkeys(("_rosward.is_given", "rclpy.node.Node.has_parameter"), _has_parameter),
     "functools.partial": partials.make,
+    "inspect.currentframe": frames.current,
+    "inspect.stack": frames.stack,
+    "sys._getframe": frames.any_of,
     "memoryview": _view,
     "collections._fill": fill,
     "contextlib._end": _throw_into,

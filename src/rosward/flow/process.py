@@ -17,12 +17,11 @@ from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
 from rosward.engine.seen import refs_of
-from rosward.flow import blocks, cpp, cpp_calls, implicit, straight
+from rosward.flow import blocks, cpp, cpp_calls, hidden, implicit, straight
 from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send, sink_of
 from rosward.flow.content import Content, TooLongError
-from rosward.flow.library import LOGGED
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
 from rosward.flow.memory import Memory
 from rosward.flow.said import wrong_marks
@@ -189,6 +188,9 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
             pc |= triggering(walker.memory.deep(argument))
     seen, given = root.of(0), walker.given.get(entry, 0)
     handed = _handed(walker, entry, root) if entry.args is None else []
+    given |= hidden.told_to(walker, entry)
+    if entry.event == "log":
+        given |= hidden.logged(walker)
     if _implicit(walker, entry):
         told = implicit.arguments_of(walker, entry.callback)
         given |= told.mask
@@ -216,7 +218,7 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     if roots and _came(walker, entry):
         return Mark(0, roots)
     if entry.event == "log":
-        return Mark(walker.memory.of(LOGGED).whole.mask, roots)
+        return Mark(hidden.logged(walker), roots)
     if number == _which(entry) and entry.event in ("message", "service", "goal", "feedback") and sources:
         mask = 0
         for source in sources:

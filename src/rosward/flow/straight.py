@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
-from rosward.flow import implicit
+from rosward.flow import frames, hidden, implicit
 from rosward.flow.body import Body
-from rosward.flow.calls import call, run_callees
+from rosward.flow.calls import call, run_callees, schedule
 from rosward.flow.content import Content
 from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
@@ -130,6 +130,8 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         body.registers[op.dst] = Mark(owner.mask | body.pc, owner.roots or frozenset((FUNCTIONS,)))
         return
     memory, shape = walker.memory, walker.shape
+    if name == frames.VARIABLES and not any(map(frames.is_frame, owner.roots)):
+        walker.lost = True  # of a function that has ended
     given = run_callees(walker, op, body, seen)
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
     several = memory.apart(owner.roots)
@@ -185,8 +187,13 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
         return
     owner, value = body.registers[op.obj], body.registers[op.src]
     run_callees(walker, op, body, seen)
+    schedule(walker, seen, (value,), body.pc)
+    for _, entry in seen.scheduled:
+        hidden.put_into(walker, owner, entry)
     if not seen.calls:  # a generator that goes on at the end of a loop's body is no property
-        walker.memory.set_attribute(owner.roots, op.name, value.under(body.pc | demoted(owner.mask)))
+        written = value.under(body.pc | demoted(owner.mask))
+        walker.memory.set_attribute(owner.roots, op.name, written)
+        walker.memory.write_any(filter(walker.shape.overlaps, owner.roots), written)
 
 
 def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None:

@@ -78,7 +78,10 @@ class Walker:
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
         self.callbacks: dict[Scheduled, Mark] = {}  # as each was registered
         self.handed: dict[Scheduled, tuple[str, ...]] = {}  # the classes of what a library calls each with
+        self.followed = shape.followed()  # special methods that the interpretation follows, with their classes
         self.implicit: set[int] = set()  # the classes of which Python has called special methods by itself
+        self.changed_modules: set[str] = set()  # those of libraries into which functions of the program were put
+        self.put_into: dict[Scheduled, str] = {}  # which of them, of each such function
         self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
@@ -345,6 +348,8 @@ class Walker:
             if alive:
                 body.returned.join(self.memory)
             self.memory = body.returned.current()
+        for cls in self.followed.get(code.key, ()):
+            self.memory.write_any([("followed", cls)], Mark(self.memory.deep(body.result)))
         old = self.results.get(activation)
         new = body.result if old is None else old.joined(body.result)
         if new is not old:

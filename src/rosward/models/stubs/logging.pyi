@@ -128,7 +128,13 @@ raiseExceptions = True
 
 def getLogger(name=None):
     return root if name is None else Logger(name)
-def basicConfig(**kwargs) -> None: ...
+def basicConfig(*, filename=None, filemode='a', format=None, datefmt=None, style='%', level=None, stream=None, handlers=None, force=False,
+                encoding=None, errors='backslashreplace'):
+    if stream is not None:
+        StreamHandler(stream)
+    if handlers is not None:
+        for handler in handlers:
+            root.addHandler(handler)
 def captureWarnings(capture) -> None: ...
 def disable(level=CRITICAL) -> None: ...
 def shutdown(handlerList=None) -> None: ...
