@@ -93,7 +93,7 @@ def run_callees(
             result = computed if result is None else result.joined(computed)
             continue
         if not mine and code.is_stub:
-            whole = implicit.under_given(walker, name, whole, unseen=True)
+            whole = implicit.under_given(walker, name, whole, unseen=True, but=walker.shape.nodes)
             declared = natives.by_name(walker, op, body, seen, name, whole)
             declared = library.declared(walker, body, function, whole) if declared is None else declared
             result = declared if result is None else result.joined(declared)

@@ -9,15 +9,16 @@ json.dumps(x, cls=Mine)   gives what `default` of `Mine` returns, which gets wha
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod
-from rosward.domain.values import Value
+from rosward.domain.values import Function, Value
 from rosward.engine.seen import Seen, refs_of
 from rosward.flow import hidden
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.reading import elements
+from rosward.flow.shape import GIVING_NOTHING
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -47,6 +48,9 @@ def _arguments(cls: int) -> Root:
 
 def keep(walker: Walker, callback: Value, mask: int) -> None:
     """A method that nothing in the program calls has given this, or a class of which only a library makes objects."""
+    method = callback.function if isinstance(callback, BoundMethod) else callback
+    if not isinstance(method, Function) or method.code.name in GIVING_NOTHING:
+        mask = 0
     roots = refs_of(callback.receiver if isinstance(callback, BoundMethod) else callback)
     for cls in _classes(walker, frozenset(roots)):
         walker.call_implicitly(cls)
@@ -100,11 +104,13 @@ def _all(walker: Walker, marks: Iterable[Mark]) -> Mark:
     return found
 
 
-def under_given(walker: Walker, name: str, marks: Sequence[Mark], *, unseen: bool = False) -> list[Mark]:
-    """What a function of a library is called with: whatever it makes of it may hold what methods of it gave."""
+def under_given(
+    walker: Walker, name: str, marks: Sequence[Mark], *, unseen: bool = False, but: Collection[Root] = ()
+) -> list[Mark]:
+    """What a function of a library is called with: whatever it makes of it may hold what methods of it gave, `but` for those of these objects."""
     found = list(marks)
     if (walker.implicit or unseen) and name.removeprefix("builtins.") not in _CALL_NOTHING:
-        mask = given_by(walker, found, unseen=unseen)
+        mask = given_by(walker, [Mark(m.mask, m.roots.difference(but)) for m in found] if but else found, unseen=unseen)
         if mask:
             return [mark.under(mask) for mark in found]
     return found

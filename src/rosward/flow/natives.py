@@ -235,7 +235,7 @@ def _of_library(call: NativeCall) -> Mark:
             break
         for mark in dict.fromkeys((*body.arguments, *body.registers)):
             mask |= call.walker.memory.deep(Mark(mark.mask, mark.roots - nodes))
-        mask |= implicit.given_by(call.walker, body.arguments)
+        mask |= implicit.given_by(call.walker, body.arguments, unseen=True)
     if call.key(1) == "cancel request":
         mask = call.pc | call.walker.sources.data(call.walker.source_here("cancel"))
     return call.computed(mask)

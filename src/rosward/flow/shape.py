@@ -41,6 +41,22 @@ _FIELDS: Final = ("__match_args__", "_fields")
 """The attributes in which a class keeps the names of its fields."""
 
 
+GIVING_NOTHING: Final = frozenset(
+    (
+        *(
+            "__del__",
+            "__init__",
+            "__init_subclass__",
+            "__set_name__",
+            "__setattr__",
+            "__delattr__",
+            "__set__",
+            "__delete__",
+        ),
+        *("__setitem__", "__delitem__", "__setstate__", "__release_buffer__"),
+    )
+)
+"""Methods of which nobody takes what they return."""
 _LAYOUTS: Final = {
     f"ctypes.{order}{kind.capitalize()}": kind
     for order in ("", "BigEndian", "LittleEndian")
@@ -252,7 +268,12 @@ class Shape:
         found: dict[str, set[int]] = {}
         for address, obj in self._machine.state.heap.items():
             for name, value in obj.attrs.items() if obj.kind == "class" else ():
-                if name in FOLLOWED and isinstance(value, Function) and not value.code.file.startswith("models:"):
+                if (
+                    name in FOLLOWED
+                    and name not in GIVING_NOTHING
+                    and isinstance(value, Function)
+                    and not value.code.file.startswith("models:")
+                ):
                     found.setdefault(value.code.key, set()).add(address)
         return found
 
