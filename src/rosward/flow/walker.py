@@ -267,7 +267,12 @@ class Walker:
     def go(self, body: Body, point: Point) -> None:
         """Go on from a point (which is used up)."""
         body.registers = point.registers
-        self.memory = point.memory.current()
+        self._stand(point.memory)
+
+    def _stand(self, memory: Memory) -> None:
+        """Control goes on with this, wherever it comes from: what is written is noted for the innermost `try` that is running now."""
+        self.memory = memory.current()
+        self.memory.log = self.attempts[-1].log if self.attempts else None
 
     def enter(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Walk through a body: what it returns. One that is running already returns what it is known to, so far."""
@@ -347,7 +352,7 @@ class Walker:
         if body.returned is not None:
             if alive:
                 body.returned.join(self.memory)
-            self.memory = body.returned.current()
+            self._stand(body.returned)
         for cls in self.followed.get(code.key, ()):
             self.memory.write_any([("followed", cls)], Mark(self.memory.deep(body.result)))
         old = self.results.get(activation)
