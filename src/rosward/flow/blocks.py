@@ -15,7 +15,7 @@ from rosward.flow import cpp_calls, implicit
 from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees
 from rosward.flow.content import TooLongError
-from rosward.flow.marks import HANDLED, Mark, demoted
+from rosward.flow.marks import HANDLED, NOTHING, Mark, demoted
 from rosward.flow.reading import elements, narrowed, opaque
 from rosward.ir import ops
 
@@ -100,15 +100,21 @@ def continue_(walker: Walker, _op: ops.Continue, body: Body, _seen: Seen) -> boo
 
 def raise_(walker: Walker, op: ops.Raise, body: Body, seen: Seen) -> bool:
     """Leave for the innermost `try`, where there is one around."""
+    if op.src != ops.NO_REGISTER:
+        _raises(walker, body.registers[op.src].under(body.pc))
     if walker.attempts:
-        attempt = walker.attempts[-1]
         body.leaves += 1
-        if op.src != ops.NO_REGISTER:
-            raised = body.registers[op.src].under(body.pc)
-            attempt.raises(raised, walker.memory.deep(raised))
-        attempt.mask |= body.pc
+        walker.attempts[-1].mask |= body.pc
     run_callees(walker, op, body, seen)
     return False
+
+
+def _raises(walker: Walker, raised: Mark) -> None:
+    """An exception comes to the innermost `try`; where there is none, to who asks what nobody caught."""
+    if walker.attempts:
+        walker.attempts[-1].raises(raised, walker.memory.deep(raised))
+    else:
+        walker.memory.write_any((HANDLED,), raised)
 
 
 _MOST_TURNS: Final = 60
@@ -211,6 +217,8 @@ def _try(walker: Walker, block: ops.Block, body: Body, *, handles: bool = False)
         tried.end(walker.memory)
     if walker.attempts:
         walker.attempts[-1].mask |= tried.mask
+    if tried.raised is not NOTHING:  # nobody knows whether it is caught
+        _raises(walker, tried.raised)
     return alive, tried
 
 

@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from rosward.flow.walker import Walker
 
 _FRAME: Final = "types.FrameType"
-VARIABLES: Final = "f_locals"
-"""The attribute of a frame in which the variables are."""
+_LOCALS: Final = "f_locals"
+VARIABLES: Final = (_LOCALS, "cell_contents")
+"""The attributes that lead to variables, of a frame and of a function."""
 
 
 def current(call: NativeCall) -> Mark:
@@ -36,7 +37,9 @@ def stack(call: NativeCall) -> Mark:
     frames = Mark(call.pc, frozenset(_frames(call)))
     told = call.walker.shape.made(call.body.activation, call.op.number, "inspect.FrameInfo")
     call.walker.memory.place(told, Content(0, NOTHING, 0, {"frame": frames, 0: frames}))
-    return call.new(Content(0, Mark(call.pc, frozenset((told,))), call.pc))
+    several: Root = call.walker.shape.made(call.body.activation, call.op.number, kind="tuple")
+    call.walker.memory.place(several, Content(0, Mark(call.pc, frozenset((told,))), call.pc))
+    return Mark(call.pc, frozenset((several,)))
 
 
 def variables(walker: Walker, body: Body) -> Mark:
@@ -62,10 +65,10 @@ def _frames(call: NativeCall) -> list[Root]:
     found: list[Root] = []
     for number, body in enumerate(b for b in walker.bodies if not b.activation.code.file.startswith("models:")):
         frame = walker.shape.made(body.activation, call.op.number, _FRAME)
-        held = walker.shape.made(body.activation, call.op.number, VARIABLES)
+        held = walker.shape.made(body.activation, call.op.number, _LOCALS)
         walker.memory.place(held, Content(0, variables(walker, body), call.pc))
         slots: dict[object, Mark] = {
-            VARIABLES: Mark(call.pc, frozenset((held,))),
+            _LOCALS: Mark(call.pc, frozenset((held,))),
             "f_globals": Mark(call.pc, frozenset((body.activation.module,))),
         }
         if number:

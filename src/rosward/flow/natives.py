@@ -17,9 +17,9 @@ from rosward.effects.flows import Source
 from rosward.engine.arguments import ANY, LOOSE, ORDER
 from rosward.engine.seen import refs_of
 from rosward.flow import containers, frames, implicit, library, parameters, partials
-from rosward.flow.constructed import fill
+from rosward.flow.constructed import attributes, fill
 from rosward.flow.content import Content
-from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, Root, decided, demoted, of_library
+from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, decided, demoted, of_library
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, owners_of
@@ -294,11 +294,7 @@ def _exists(call: NativeCall) -> Mark:
 
 def _type(call: NativeCall) -> Mark:
     """Of which class an object is; with three arguments, a new class with these attributes."""
-    memory, classes = call.walker.memory, frozenset[Root](call.seen.refs)
-    for root in call.mark(2).roots:
-        content = memory.of(root)
-        memory.write_each(classes, {key: mark.under(call.pc) for key, mark in content.slots.items()}, content.slots)
-        memory.write_any(classes, content.any.under(content.base | call.pc))
+    attributes(call.walker.memory, frozenset(call.seen.refs), call.mark(2), call.pc)
     return _identity(call)
 
 
@@ -312,8 +308,8 @@ def _run_code(call: NativeCall) -> Mark:
     return call.computed(mask)
 
 
-def _any_object(call: NativeCall) -> Mark:
-    """All objects that there are."""
+def _everything(call: NativeCall) -> Mark:
+    """Gives all objects that there are, or tells a function of everything that happens."""
     call.walker.lost = True
     return Mark(call.pc)
 
@@ -334,8 +330,18 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **containers.KNOWN,
     **dict.fromkeys(("isinstance", "issubclass", "id", "callable", "super", "object"), _identity),
     **dict.fromkeys(("exec", "eval"), _run_code),
-    **dict.fromkeys(("gc.get_objects", "gc.get_referrers"), _any_object),
-    **dict.fromkeys(("sys._handled", "traceback.format_exc"), _handled),
+    **dict.fromkeys(
+        (
+            "gc.get_objects",
+            "gc.get_referrers",
+            "sys.settrace",
+            "sys.setprofile",
+            "threading.settrace",
+            "threading.setprofile",
+        ),
+        _everything,
+    ),
+    **dict.fromkeys(("sys._handled", "sys._uncaught", "threading._uncaught", "traceback.format_exc"), _handled),
     "type": _type,
     "hasattr": _exists,
     "getattr": _get_attribute,

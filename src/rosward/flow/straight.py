@@ -14,6 +14,7 @@ from rosward.domain.unknown import Cause
 from rosward.flow import frames, hidden, implicit
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees, schedule
+from rosward.flow.constructed import attributes
 from rosward.flow.content import Content
 from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
@@ -130,7 +131,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         body.registers[op.dst] = Mark(owner.mask | body.pc, owner.roots or frozenset((FUNCTIONS,)))
         return
     memory, shape = walker.memory, walker.shape
-    if name == frames.VARIABLES and not any(map(frames.is_frame, owner.roots)):
+    if name in frames.VARIABLES and not any(map(frames.is_frame, owner.roots)):
         walker.lost = True  # of a function that has ended
     given = run_callees(walker, op, body, seen)
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
@@ -321,6 +322,13 @@ def _make_function(walker: Walker, op: ops.MakeFunction, body: Body, _seen: Seen
     body.registers[op.dst] = Mark(mask)
 
 
+def _make_class(walker: Walker, op: ops.MakeClass, body: Body, seen: Seen) -> None:
+    plain(walker, op, body, seen)
+    prepared = run_callees(walker, op, body, seen, ("__prepare__",))
+    if prepared is not None:
+        attributes(walker.memory, frozenset(seen.refs), prepared, body.pc)
+
+
 def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
     value = body.registers[op.src].under(body.pc)
     if op.many:
@@ -394,6 +402,7 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.Build: _build,
     ops.Unpack: _unpack,
     ops.MakeFunction: _make_function,
+    ops.MakeClass: _make_class,
     ops.Yield: _yield,
     ops.Await: _await,
     ops.Intrinsic: _intrinsic,
