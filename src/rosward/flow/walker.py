@@ -25,7 +25,7 @@ from rosward.flow.tracker import KeySets, Tracker
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.program import CPP
-from rosward.ir.registers import reads
+from rosward.ir.registers import reads, writes
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -127,7 +127,7 @@ class Walker:
             if not known.alive and op.__class__ not in STRUCTURED:
                 return False
             if self.attempts:
-                self._may_fail()
+                self._may_fail(op)
         return True
 
     def close(self) -> None:
@@ -145,13 +145,15 @@ class Walker:
         if attempt.handles:
             attempt.body.pc |= demoted(attempt.mask)
 
-    def _may_fail(self) -> None:
-        """What has been written so far is what a handler may find."""
+    def _may_fail(self, op: ops.Op) -> None:
+        """What an operation has written is what a handler may find."""
         attempt = self.attempts[-1]
         if attempt.body is self.bodies[-1]:
-            known = attempt.point.registers
-            for number in range(len(attempt.body.activation.code.variables)):
-                known[number] = known[number].joined(attempt.body.registers[number])
+            known, now = attempt.point.registers, attempt.body.registers
+            for number in (
+                range(len(attempt.body.activation.code.variables)) if op.__class__ in STRUCTURED else writes(op)
+            ):
+                known[number] = known[number].joined(now[number])
 
     def bodies_of(self, seen: Seen) -> dict[str, list[Activation]]:
         """The bodies that an operation runs, by their keys.
