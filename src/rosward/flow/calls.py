@@ -216,7 +216,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))
     if seen.scheduled:
         schedule(walker, seen, marks, body.pc | pc, _hands(walker, function, seen))
-    if site.spins or any(e.event in AT_ONCE for _, e in seen.scheduled):
+    if site.spins:
         walker.join_beside()
 
 
@@ -253,8 +253,6 @@ def _send(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark
             send(walker, effect, mask)
 
 
-AT_ONCE: Final = frozenset({BY_LIBRARY, "thread"})
-"""Callbacks that may run as soon as they are handed on."""
 KINDS: Final = {"publication": "topic"}
 
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Final
 from rosward.engine.seen import Seen
 from rosward.flow import cpp_calls, cpp_outside
 from rosward.flow.body import Body
-from rosward.flow.calls import AT_ONCE
 from rosward.flow.cpp_values import (
     copies,
     sources,
@@ -57,7 +56,7 @@ def acts(
         if done is not None:
             result = done if result is None else result.joined(done)
     cpp_calls.register(walker, body, seen, everything)
-    if any(n in _SPINS for n in seen.natives) or any(e.event in AT_ONCE for _, e in seen.scheduled):
+    if any(n in _SPINS for n in seen.natives):
         walker.join_beside()
     return result
 

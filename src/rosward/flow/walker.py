@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
+from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import Activation, Seen
 from rosward.engine.watch import is_of_program
 from rosward.flow.body import Attempt, Body, Point, here
@@ -182,6 +183,8 @@ class Walker:
         self.callbacks[entry] = callback.joined(before[2] or NOTHING)
         if before != (self.registered[entry], self.given[entry], self.callbacks[entry]):
             self.changed = True
+        if entry.event in _AT_ONCE and self.event != _MAIN:
+            self.join_beside()
 
     def give_back(self, entry: Scheduled, mask: int) -> None:
         """What a function returns that a library calls depends on this: whatever the library makes of it may."""
@@ -385,6 +388,9 @@ class Walker:
         return found
 
 
+_AT_ONCE: Final = frozenset({BY_LIBRARY, "thread"})
+"""Callbacks that may have run when what they were handed to comes back."""
+_MAIN: Final = (Source("main"),)
 _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))
 """What may be the first to meet a source."""
 _CALM: Final = 50_000
