@@ -34,6 +34,8 @@ def keep(walker: Walker, name: str, mask: int) -> None:
     module = name.partition(".")[0]
     if module in _KEEPING or module in walker.changed_modules:
         walker.memory.write_any((_kept(module),), Mark(mask))
+        if walker.logs or module in walker.changed_modules:
+            walker.meet_callbacks()
 
 
 def led_to(names: Iterable[str]) -> frozenset[Root]:

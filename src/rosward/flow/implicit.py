@@ -46,14 +46,16 @@ def _arguments(cls: int) -> Root:
     return ("handed", cls)
 
 
-def keep(walker: Walker, callback: Value, mask: int) -> None:
-    """A method that nothing in the program calls has given this, or a class of which only a library makes objects."""
+def keep(walker: Walker, callback: Value, mask: int, *, writes: bool) -> None:
+    """A method that nothing in the program calls has given this, or a class of which only a library makes objects; `writes`: to other objects."""
     method = callback.function if isinstance(callback, BoundMethod) else callback
     if not isinstance(method, Function) or method.code.name in GIVING_NOTHING:
         mask = 0
     roots = refs_of(callback.receiver if isinstance(callback, BoundMethod) else callback)
     for cls in _classes(walker, frozenset(roots)):
         walker.call_implicitly(cls)
+        if writes:
+            walker.writing.add(cls)
         walker.memory.write_any([_results(cls)], Mark(mask))
     if isinstance(callback, BoundMethod):
         hidden.give_to_bases(walker, callback.receiver, mask)
@@ -81,7 +83,7 @@ def given_by(walker: Walker, marks: Iterable[Mark], *, unseen: bool = False) -> 
     unseen = unseen and bool(walker.followed)
     if not (walker.implicit or unseen):
         return 0
-    mask, everything = 0, None
+    mask, everything, writes = 0, None, False
     marks = tuple(marks)
     for mark in marks:
         for cls in _classes(walker, walker.memory.reached(mark)):
@@ -93,6 +95,9 @@ def given_by(walker: Walker, marks: Iterable[Mark], *, unseen: bool = False) -> 
             if everything is None:
                 everything = _all(walker, marks)
             walker.memory.write_any([_arguments(cls)], everything)
+            writes = writes or cls in walker.writing
+    if writes:
+        walker.meet_callbacks()
     return mask
 
 

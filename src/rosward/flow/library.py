@@ -134,6 +134,9 @@ def unknown(
     led = hidden.led_to(names)
     walker.memory.write_any(reached, Mark(mask | given, led), mask)
     behind = led.union(*(m.roots for m in everything))
+    kept = frozenset(r for r in behind if isinstance(r, int)) - walker.shape.nodes
+    if kept:  # an object of a library may keep what it is given
+        walker.memory.write_any(owners_of(function), Mark(0, kept))
     if len(reached) > walker.shape.few:  # it may have written each into each
         walker.memory.merge(reached)
     if len(behind) > _FEW:

@@ -119,6 +119,7 @@ def _settle(walker: Walker, machine: Interpreter) -> bool:
     entries = list(machine.schedule_book.entries.values())
     entries = list({_where(e): e for e in reversed(entries)}.values())[::-1]
     walker.threaded = any(e.event == "thread" for e in entries)
+    walker.logs = any(e.event == "log" for e in entries)
     for _ in range(_ROUNDS):
         walker.changed = False
         _main(walker)
@@ -207,7 +208,9 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     if entry.event == BY_LIBRARY:
         walker.give_back(entry, walker.memory.deep(result))
     if _implicit(walker, entry):
-        implicit.keep(walker, entry.callback, walker.memory.deep(result))
+        implicit.keep(
+            walker, entry.callback, walker.memory.deep(result), writes=walker.memory.wrote_to_others(walker.beside)
+        )
     walker.leave()
 
 

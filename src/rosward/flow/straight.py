@@ -191,6 +191,7 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
     schedule(walker, seen, (value,), body.pc)
     for _, entry in seen.scheduled:
         hidden.put_into(walker, owner, entry)
+        walker.calling |= owner.roots
     if not seen.calls:  # a generator that goes on at the end of a loop's body is no property
         written = value.under(body.pc | demoted(owner.mask))
         walker.memory.set_attribute(owner.roots, op.name, written)

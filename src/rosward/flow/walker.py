@@ -81,6 +81,9 @@ class Walker:
         self.handed: dict[Scheduled, tuple[str, ...]] = {}  # the classes of what a library calls each with
         self.followed = shape.followed()  # special methods that the interpretation follows, with their classes
         self.implicit: set[int] = set()  # the classes of which Python has called special methods by itself
+        self.writing: set[int] = set()  # those of which such methods write to other objects
+        self.calling: set[Root] = set()  # objects of libraries to which functions of the program were handed
+        self.logs = False  # handlers of the program get what is logged
         self.changed_modules: set[str] = set()  # those of libraries into which functions of the program were put
         self.put_into: dict[Scheduled, str] = {}  # which of them, of each such function
         self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
@@ -183,8 +186,8 @@ class Walker:
         self.callbacks[entry] = callback.joined(before[2] or NOTHING)
         if before != (self.registered[entry], self.given[entry], self.callbacks[entry]):
             self.changed = True
-        if entry.event in _AT_ONCE and self.event != _MAIN:
-            self.join_beside()
+        if entry.event in _AT_ONCE:
+            self.meet_callbacks()
 
     def give_back(self, entry: Scheduled, mask: int) -> None:
         """What a function returns that a library calls depends on this: whatever the library makes of it may."""
@@ -240,6 +243,11 @@ class Walker:
     def interleave(self) -> None:
         """Another thread may have run: what callbacks write may stand here."""
         if self.threaded:
+            self.join_beside()
+
+    def meet_callbacks(self) -> None:
+        """A callback may have run that was handed to somebody: in the main body, those of ROS have not."""
+        if self.event != _MAIN:
             self.join_beside()
 
     def join_beside(self) -> None:
