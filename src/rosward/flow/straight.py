@@ -11,13 +11,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
-from rosward.flow import frames, hidden, implicit
+from rosward.flow import frames, hidden, implicit, suspending
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees, schedule
 from rosward.flow.constructed import attributes
 from rosward.flow.content import Content
 from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
-from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
+from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of
 from rosward.ir import ops
 from rosward.ir.registers import reads, writes
 
@@ -188,14 +188,17 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
         return
     owner, value = body.registers[op.obj], body.registers[op.src]
     run_callees(walker, op, body, seen)
-    schedule(walker, seen, (value,), body.pc)
-    for _, entry in seen.scheduled:
-        hidden.put_into(walker, owner, entry)
+    if seen.scheduled:
+        schedule(walker, seen, (value,), body.pc)
         walker.calling |= owner.roots
+        for _, entry in seen.scheduled:
+            hidden.put_into(walker, owner, entry)
     if not seen.calls:  # a generator that goes on at the end of a loop's body is no property
         written = value.under(body.pc | demoted(owner.mask))
         walker.memory.set_attribute(owner.roots, op.name, written)
-        walker.memory.write_any(filter(walker.shape.overlaps, owner.roots), written)
+        overlapping = [root for root in owner.roots if walker.shape.overlaps(root)]
+        if overlapping:
+            walker.memory.write_any(overlapping, written)
 
 
 def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None:
@@ -330,34 +333,6 @@ def _make_class(walker: Walker, op: ops.MakeClass, body: Body, seen: Seen) -> No
         attributes(walker.memory, frozenset(seen.refs), prepared, body.pc)
 
 
-def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
-    value = body.registers[op.src].under(body.pc)
-    if op.many:
-        value = elements(walker, value).under(body.pc)
-        given = run_callees(walker, op, body, seen)
-        value = value if given is None else value.joined(implicit.gone_through(walker, given))
-    key = body.activation.code.key
-    walker.memory.write_any([("generator", key)], value)
-    thrown = walker.memory.of(("thrown", key)).any
-    if walker.attempts and thrown != NOTHING:
-        walker.attempts[-1].raises(thrown, walker.memory.deep(thrown))
-    body.leave(walker.memory)  # others go on from here, before the rest of it runs
-    given = walker.memory.of(("sent", key)).any.under(body.pc)
-    body.registers[op.dst] = given.joined(value) if op.many else given  # `yield from` gives what the other one returns
-
-
-def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
-    given = run_callees(walker, op, body, seen)
-    awaited = body.registers[op.src]
-    for root in awaited.roots:
-        if not isinstance(root, int) and root[0] == "generator":
-            found = run(walker, root, awaited.mask)
-            given = found if given is None else given.joined(found)
-    if given is None:
-        given = Mark(walker.memory.deep(awaited), frozenset(seen.refs))
-    body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, leads(seen, given))
-
-
 def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> None:
     registers = [body.registers[r] for r in op.arguments]
     if op.name in ("append", "set_add"):
@@ -404,8 +379,7 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.Unpack: _unpack,
     ops.MakeFunction: _make_function,
     ops.MakeClass: _make_class,
-    ops.Yield: _yield,
-    ops.Await: _await,
+    **suspending.TABLE,
     ops.Intrinsic: _intrinsic,
     ops.Call: call,
 }
