@@ -124,7 +124,8 @@ def loop(walker: Walker, op: ops.While, body: Body, seen: Seen) -> bool:
     """Turns until nothing changes."""
 
     def begin() -> bool:
-        walker.interleave()
+        if walker.threaded:  # another thread may have run
+            walker.join_beside()
         return walker.run(op.condition, body)
 
     def test() -> int:
@@ -138,7 +139,8 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
     iterable = body.registers[op.iterable]
 
     def begin() -> bool:
-        walker.interleave()
+        if walker.threaded:  # another thread may have run
+            walker.join_beside()
         item = elements(walker, iterable)
         given = run_callees(walker, op, body, seen)
         item = item if given is None else item.joined(implicit.gone_through(walker, given))

@@ -32,9 +32,10 @@ def _kept(module: str) -> Root:
 def keep(walker: Walker, name: str, mask: int) -> None:
     """A function of a library of this dotted name has got this."""
     module = name.partition(".")[0]
-    if module in _KEEPING or module in walker.changed_modules:
+    is_told = module in walker.put_into.values()
+    if module in _KEEPING or is_told:
         walker.memory.write_any((_kept(module),), Mark(mask))
-        if walker.logs or module in walker.changed_modules:
+        if walker.logs or is_told:
             walker.meet_callbacks()
 
 
@@ -51,7 +52,6 @@ def logged(walker: Walker) -> int:
 def put_into(walker: Walker, owner: Mark, entry: Scheduled) -> None:
     """A function of the program is put into a module of a library, which calls it."""
     for module in filter(None, map(walker.shape.module_name, owner.roots)):
-        walker.changed_modules.add(module)
         walker.put_into[entry] = module
 
 

@@ -53,7 +53,9 @@ def keep(walker: Walker, callback: Value, mask: int, *, writes: bool) -> None:
         mask = 0
     roots = refs_of(callback.receiver if isinstance(callback, BoundMethod) else callback)
     for cls in _classes(walker, frozenset(roots)):
-        walker.call_implicitly(cls)
+        if cls not in walker.implicit:
+            walker.implicit.add(cls)
+            walker.forget()
         if writes:
             walker.writing.add(cls)
         walker.memory.write_any([_results(cls)], Mark(mask))

@@ -84,8 +84,9 @@ class Walker:
         self.writing: set[int] = set()  # those of which such methods write to other objects
         self.calling: set[Root] = set()  # objects of libraries to which functions of the program were handed
         self.logs = False  # handlers of the program get what is logged
-        self.changed_modules: set[str] = set()  # those of libraries into which functions of the program were put
-        self.put_into: dict[Scheduled, str] = {}  # which of them, of each such function
+        self.put_into: dict[
+            Scheduled, str
+        ] = {}  # the modules of libraries into which functions of the program were put
         self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
@@ -186,7 +187,7 @@ class Walker:
         self.callbacks[entry] = callback.joined(before[2] or NOTHING)
         if before != (self.registered[entry], self.given[entry], self.callbacks[entry]):
             self.changed = True
-        if entry.event in _AT_ONCE:
+        if entry.event in (BY_LIBRARY, "thread"):
             self.meet_callbacks()
 
     def give_back(self, entry: Scheduled, mask: int) -> None:
@@ -194,15 +195,12 @@ class Walker:
         old = self.returned.get(entry, 0)
         if old | mask != old:
             self.returned[entry] = old | mask
-            self._remembered.clear()
-            self.changed = True
+            self.forget()
 
-    def call_implicitly(self, cls: int) -> None:
-        """Python has called a special method of a class by itself: what is made of its objects may depend on that."""
-        if cls not in self.implicit:
-            self.implicit.add(cls)
-            self._remembered.clear()
-            self.changed = True
+    def forget(self) -> None:
+        """What is remembered of calls may not hold any more."""
+        self._remembered.clear()
+        self.changed = True
 
     def send(self, sink: Sink, mask: int) -> None:
         """Something leaves the process."""
@@ -240,14 +238,9 @@ class Walker:
         """Whether so much was walked through that functions of libraries are taken as a whole."""
         return self.shape.spent > _CALM
 
-    def interleave(self) -> None:
-        """Another thread may have run: what callbacks write may stand here."""
-        if self.threaded:
-            self.join_beside()
-
     def meet_callbacks(self) -> None:
         """A callback may have run that was handed to somebody: in the main body, those of ROS have not."""
-        if self.event != _MAIN:
+        if self.event != (Source("main"),):
             self.join_beside()
 
     def join_beside(self) -> None:
@@ -396,9 +389,6 @@ class Walker:
         return found
 
 
-_AT_ONCE: Final = frozenset({BY_LIBRARY, "thread"})
-"""Callbacks that may have run when what they were handed to comes back."""
-_MAIN: Final = (Source("main"),)
 _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))
 """What may be the first to meet a source."""
 _CALM: Final = 50_000

@@ -128,13 +128,12 @@ raiseExceptions = True
 
 def getLogger(name=None):
     return root if name is None else Logger(name)
-def basicConfig(*, filename=None, filemode='a', format=None, datefmt=None, style='%', level=None, stream=None, handlers=None, force=False,
-                encoding=None, errors='backslashreplace'):
+def basicConfig(**kwargs):
+    stream = kwargs.get('stream')
     if stream is not None:
         StreamHandler(stream)
-    if handlers is not None:
-        for handler in handlers:
-            root.addHandler(handler)
+    for handler in kwargs.get('handlers') or ():
+        root.addHandler(handler)
 def captureWarnings(capture) -> None: ...
 def disable(level=CRITICAL) -> None: ...
 def shutdown(handlerList=None) -> None: ...
