@@ -136,7 +136,7 @@ class FakeProcess:
     def update(self, ref: Ref, obj: Obj) -> None:
         self.heap[ref.address] = obj
 
-    def allocate(self, obj: Obj, site: object = None) -> Ref:  # noqa: ARG002 - each one is apart here
+    def allocate(self, obj: Obj, site: object = None, *, counted: bool = True) -> Ref:  # noqa: ARG002 - each one is apart here
         address = len(self.heap) + 1
         self.heap[address] = obj
         return Ref(address)

@@ -104,6 +104,44 @@ if __name__ == '__main__':
     main()
 """
 
+IN_TURN = """
+from copy import copy
+
+import rclpy
+from std_msgs.msg import String
+from numpy import vstack
+
+found = []
+
+
+def on_point(msg):
+    global found
+    found = vstack((found, [msg.data])) if found else [[msg.data]]
+
+
+def main():
+    global found
+    rclpy.init()
+    node = rclpy.create_node('filter')
+    node.create_subscription(String, 'points', on_point, 10)
+    while len(found) < 1:
+        rclpy.spin_once(node)
+    while rclpy.ok():
+        kept = []
+        front = copy(found)
+        if len(front) > 1:
+            kept = fitted(front)
+        if len(front) == 1:
+            kept = front
+        found = copy(kept)
+        rclpy.spin_once(node)
+    node.create_publisher(String, 'last', 10)
+
+
+if __name__ == '__main__':
+    main()
+"""
+
 
 def published(folder: Path, source: str) -> set[str]:
     """What a program publishes of its own."""
@@ -132,3 +170,8 @@ def test_a_history_comes_to_rest(function: str, most: int, tmp_path: Path, monke
 def test_two_copies_of_one_object_in_one_call_are_told_apart(tmp_path: Path) -> None:
     """An object, and a copy of it, are copied together."""
     assert published(tmp_path, TWO) == {"/left", "/second"}
+
+
+def test_copies_that_a_loop_makes_of_one_another_come_to_rest(tmp_path: Path) -> None:
+    """A copy may be of any of several lists, some of which are copies."""
+    assert published(tmp_path, IN_TURN) == {"/points", "/last"}

@@ -271,6 +271,7 @@ def until_stable(
             break
         machine.check_time()
     else:
+        frame.op = op
         machine.report("RW201", "the loop did not converge; what later iterations create may be missing")
     frame.uncertain -= 1
     machine.precision.fixpoints -= 1

@@ -217,12 +217,23 @@ class Interpreter(Answers):
             obj = joined
         self.put(ref.address, obj)
 
-    def allocate(self, obj: Obj, site: object = None) -> Ref:
-        """A new object, identified by the place and context in which it is made."""
+    def allocate(self, obj: Obj, site: object = None, *, counted: bool = True) -> Ref:
+        """A new object, identified by the place and context in which it is made.
+
+        `counted`: and by how many its operation made before. Without that, `site` alone tells those of one operation apart.
+        """
         frame = self.frames[-1] if self.frames else None
         if frame is None:
             return Ref(self.place_at((obj.kind, site), obj))
-        key = (frame.context, frame.code.key, frame.op.number, frame.next(), site, obj.kind, obj.cls)
+        key = (
+            frame.context,
+            frame.code.key,
+            frame.op.number,
+            frame.next() if counted else None,
+            site,
+            obj.kind,
+            obj.cls,
+        )
         address = self.place_at(key, obj)
         if self.watch is not None:
             self.watch.made(address, site)

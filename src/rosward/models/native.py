@@ -178,8 +178,8 @@ class Machine(Execution, Protocol):
     def update(self, ref: Ref, obj: Obj) -> None:
         """Replace the heap record (a weak update where it stands for several objects)."""
 
-    def allocate(self, obj: Obj, site: object = None) -> Ref:
-        """A new object on the heap; `site` tells apart what one call makes in no fixed order."""
+    def allocate(self, obj: Obj, site: object = None, *, counted: bool = True) -> Ref:
+        """A new object on the heap; `site` tells apart what one call makes in no fixed order (alone, where they are not `counted`)."""
 
     def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
         """A new list: of items, then any number of `rest`, then `tail`."""

@@ -98,7 +98,8 @@ def _placed(call: NativeCall, obj: Obj, source: int, others: Counter[object] | N
     first: dict[object, object] = call.machine.log.remembered
     origin = first.get((_COPY_OF, source), source)
     before = 0 if others is None else others[origin]
-    ref = call.machine.allocate(obj, (origin, min(before, _MOST_APART)) if before else origin)
+    site = (origin, min(before, _MOST_APART)) if before else origin
+    ref = call.machine.allocate(obj, site, counted=False)
     if others is not None:
         others[origin] += 1
     first.setdefault((_COPY_OF, ref.address), origin)
@@ -109,7 +110,9 @@ def _again(call: NativeCall, ref: Ref, others: Counter[object] | None = None) ->
     made = _placed(call, call.machine.obj(ref).replace(many=False), ref.address, others)
     held = contents(call.machine, ref)
     if isinstance(held, Ref):
-        copied = call.machine.allocate(call.machine.obj(held).replace(many=False), ("contents", made.address))
+        copied = call.machine.allocate(
+            call.machine.obj(held).replace(many=False), ("contents", made.address), counted=False
+        )
         call.machine.update(made, call.machine.obj(made).with_attr(CONTENTS, copied))
     return made
 
