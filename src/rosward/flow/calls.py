@@ -215,8 +215,9 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         mask |= _given_back(walker, seen, [*marks, function] if site.unknown else [], function)
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))
     owners = owners_of(function) if walker.calling or seen.scheduled else frozenset()
-    if seen.scheduled and site.unknown:
+    if seen.scheduled and site.unknown and not owners <= walker.calling:
         walker.calling |= owners
+        walker.forget()
     if not walker.calling.isdisjoint(owners) or (walker.threaded and site.waits):
         walker.meet_callbacks()
     if seen.scheduled:

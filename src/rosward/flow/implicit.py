@@ -56,8 +56,9 @@ def keep(walker: Walker, callback: Value, mask: int, *, writes: bool) -> None:
         if cls not in walker.implicit:
             walker.implicit.add(cls)
             walker.forget()
-        if writes:
+        if writes and cls not in walker.writing:
             walker.writing.add(cls)
+            walker.forget()
         walker.memory.write_any([_results(cls)], Mark(mask))
     if isinstance(callback, BoundMethod):
         hidden.give_to_bases(walker, callback.receiver, mask)
