@@ -190,10 +190,11 @@ class Case(NamedTuple):
     strength: str = "data"
 
 
-def write(program: Path, keeps: str, does: str, then: str) -> None:
-    """The node, as a program."""
+def write(program: Path, keeps: str, does: str, then: str, top: str = "") -> None:
+    """The node, as a program; `top`: what stands in front of its class."""
     indented = (textwrap.indent(part, " " * 8) for part in (keeps or "pass", does, then))
-    program.write_text(_PROGRAM.format(**dict(zip(("keeps", "does", "then"), indented, strict=True))))
+    text = _PROGRAM.format(**dict(zip(("keeps", "does", "then"), indented, strict=True)))
+    program.write_text(text.replace("class Robot(Node):", f"{top}\n\n\nclass Robot(Node):"))
 
 
 def said_strongly(case: Case, folder: Path) -> tuple[frozenset[str], Said]:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ways in which C++ may hand on a value: `cpp_ways.txt` has one program for each, of which only what differs is written down.
 
-Whatever else may be said of `r`, what arrives is in it. A program that could hand it on without being seen would be a hole.
+Whatever else may be said of `r`, what arrives is in it, but where it is not. A program that could hand it on without being seen would be a hole.
 """
 
 from __future__ import annotations
@@ -70,11 +70,11 @@ int main(int argc, char ** argv)
 
 
 class Way(NamedTuple):
-    """One program: what differs, and whether the value is in the output or decides it."""
+    """One program: what differs, and whether the value is in the output ('data'), decides it ('control'), or is not in it ('clean')."""
 
     name: str
     program: str
-    control: bool
+    way: str
 
 
 def read(text: str) -> Way:
@@ -91,7 +91,7 @@ def read(text: str) -> Way:
     program = PROGRAM
     for word, default in (("before", ""), ("type", "Float64"), ("on", ""), ("methods", ""), ("members", "")):
         program = program.replace(f"@{word}@", "\n".join(given.get(word, [default])))
-    return Way(head.strip(), program, given.get("way") == ["control"])
+    return Way(head.strip(), program, *given.get("way", ["data"]))
 
 
 WAYS = [read(text) for text in (Path(__file__).parent / "cpp_ways.txt").read_text().split("\n## ")[1:]]
@@ -104,5 +104,5 @@ def test_is_seen(way: Way, tmp_path: Path) -> None:
     found = [sink for each in flows(path) for sink in each.sinks if str(sink.sink) == "topic:/out"]
     assert found
     for sink in found:
-        sources = (*sink.data, *sink.control) if way.control else sink.data
-        assert "topic:/in" in set(map(str, sources))
+        sources = (*sink.data, *sink.control) if way.way == "control" else sink.data
+        assert ("topic:/in" in set(map(str, sources))) == (way.way != "clean")

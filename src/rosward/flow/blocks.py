@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from rosward.flow import cpp_calls
+from rosward.flow import cpp_calls, implicit
 from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees
 from rosward.flow.content import TooLongError
-from rosward.flow.marks import HANDLED, Mark, demoted
+from rosward.flow.marks import HANDLED, NOTHING, Mark, demoted
 from rosward.flow.reading import elements, narrowed, opaque
 from rosward.ir import ops
 
@@ -100,15 +100,21 @@ def continue_(walker: Walker, _op: ops.Continue, body: Body, _seen: Seen) -> boo
 
 def raise_(walker: Walker, op: ops.Raise, body: Body, seen: Seen) -> bool:
     """Leave for the innermost `try`, where there is one around."""
+    if op.src != ops.NO_REGISTER:
+        _raises(walker, body.registers[op.src].under(body.pc))
     if walker.attempts:
-        attempt = walker.attempts[-1]
         body.leaves += 1
-        if op.src != ops.NO_REGISTER:
-            raised = body.registers[op.src].under(body.pc)
-            attempt.raises(raised, walker.memory.deep(raised))
-        attempt.mask |= body.pc
+        walker.attempts[-1].mask |= body.pc
     run_callees(walker, op, body, seen)
     return False
+
+
+def _raises(walker: Walker, raised: Mark) -> None:
+    """An exception comes to the innermost `try`; where there is none, to who asks what nobody caught."""
+    if walker.attempts:
+        walker.attempts[-1].raises(raised, walker.memory.deep(raised))
+    else:
+        walker.memory.write_any((HANDLED,), raised)
 
 
 _MOST_TURNS: Final = 60
@@ -118,7 +124,8 @@ def loop(walker: Walker, op: ops.While, body: Body, seen: Seen) -> bool:
     """Turns until nothing changes."""
 
     def begin() -> bool:
-        walker.interleave()
+        if walker.threaded:  # another thread may have run
+            walker.join_beside()
         return walker.run(op.condition, body)
 
     def test() -> int:
@@ -132,10 +139,11 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
     iterable = body.registers[op.iterable]
 
     def begin() -> bool:
-        walker.interleave()
+        if walker.threaded:  # another thread may have run
+            walker.join_beside()
         item = elements(walker, iterable)
         given = run_callees(walker, op, body, seen)
-        item = item if given is None else item.joined(given)
+        item = item if given is None else item.joined(implicit.gone_through(walker, given))
         if seen.refs:  # C++: the interpretation has seen which
             item = Mark(item.mask, frozenset(seen.refs) | opaque(item))
         body.registers[op.item] = item.under(body.pc)
@@ -211,6 +219,8 @@ def _try(walker: Walker, block: ops.Block, body: Body, *, handles: bool = False)
         tried.end(walker.memory)
     if walker.attempts:
         walker.attempts[-1].mask |= tried.mask
+    if tried.raised is not NOTHING:  # nobody knows whether it is caught
+        _raises(walker, tried.raised)
     return alive, tried
 
 

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 from rosward.engine.arguments import MAYBE
 from rosward.flow import library, natives
 from rosward.flow.body import Body
-from rosward.flow.calls import in_parameters, keep_arguments, resume
+from rosward.flow.bound import in_parameters
+from rosward.flow.calls import keep_arguments, resume
 from rosward.flow.marks import NOTHING, Mark
 from rosward.flow.partials import Given, bound_in
 from rosward.flow.ways import Way, each_way, joined_marks

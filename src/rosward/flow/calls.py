@@ -9,24 +9,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
-from itertools import chain
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod
 from rosward.domain.values import Class, Function, Value
 from rosward.effects.flows import Sink
 from rosward.effects.sent import SentEffect
-from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
+from rosward.engine.arguments import MAYBE
 from rosward.engine.escape import BY_LIBRARY
-from rosward.engine.seen import Activation, Called, Handed, Seen, refs_of
+from rosward.engine.seen import Activation, Seen, refs_of
 from rosward.flow import implicit, library, natives
 from rosward.flow.body import Body
+from rosward.flow.bound import NO_SPREAD, Spread, all_bound, handed
 from rosward.flow.constructed import construct
 from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of
 from rosward.flow.partials import bound_in
-from rosward.flow.reading import arising, leads
+from rosward.flow.reading import arising, leads, owners_of
 from rosward.flow.released import released
 from rosward.flow.site import callees, is_native
 from rosward.flow.ways import Way, each_way, either, joined_marks
@@ -41,29 +42,40 @@ if TYPE_CHECKING:
 
 
 def run_callees(
-    walker: Walker, op: ops.Op, body: Body, seen: Seen, names: tuple[str, ...] = (), pc: int = 0, told: Mark = NOTHING
+    walker: Walker,
+    op: ops.Op,
+    body: Body,
+    seen: Seen,
+    names: tuple[str, ...] = (),
+    pc: int = 0,
+    told: Mark = NOTHING,
+    others: Mark = NOTHING,
 ) -> Mark | None:
     """Walk through the bodies that an operation runs; what they return, None where it runs none.
 
-    `names`: those of that name only; `told`: what stands in no register and each of their arguments behind the receiver may be.
+    `names`: those of that name only; `told`: what stands in no register and each of their arguments behind the receiver may be; `others`: what
+    any of those that stand in none may be, too.
     """
     if not (seen.callees or seen.summaries or seen.calls or seen.performed):
         return None
     waiting = walker.bodies_of(seen)
-    result = _performed(walker, op, body, seen) if seen.performed and not names else None
+    spread = _spread(walker, op, body, seen) if isinstance(op, ops.Call) and op.spreads and not names else NO_SPREAD
+    if others is not NOTHING:
+        spread = spread._replace(elements=spread.elements.joined(others))
+    result = _performed(walker, op, body, seen, spread) if seen.performed and not names else None
     inside = body.pc | pc
     ways: list[Way] = []
-    called_here: set[str] = set()
+    called_here: set[str] = set(spread.ran)
     for key, apart in walker.sites.by_code(seen).items():
         several = apart
         function = several[0].function
         code = function.code
-        if names and code.name not in names:
+        if (names and code.name not in names) or key in spread.ran:
             continue
         mine = waiting.get(key, ())
         if len(several) > 1 and len(several) != len(mine):  # nobody tells them apart
             several = walker.sites.together(seen, key)
-        marks = _all_bound(walker, op, body, several)
+        marks = all_bound(walker, op, body, several, spread)
         if told != NOTHING:
             marks = [[*m[:1], *(each.joined(told) for each in m[1:])] for m in marks]
         whole = marks[0] if len(marks) == 1 else joined_marks(marks)
@@ -81,6 +93,7 @@ def run_callees(
             result = computed if result is None else result.joined(computed)
             continue
         if not mine and code.is_stub:
+            whole = implicit.under_given(walker, name, whole, unseen=True, but=walker.shape.nodes)
             declared = natives.by_name(walker, op, body, seen, name, whole)
             declared = library.declared(walker, body, function, whole) if declared is None else declared
             result = declared if result is None else result.joined(declared)
@@ -93,26 +106,18 @@ def run_callees(
     return either(result, each_way(walker, ways))
 
 
-_FEW: Final = 8
-
-
-def _performed(walker: Walker, op: ops.Op, body: Body, seen: Seen) -> Mark:
+def _performed(walker: Walker, op: ops.Op, body: Body, seen: Seen, spread: Spread) -> Mark:
     """The natives that an operation runs but does not call as it is written."""
-    spread = _spread_size(walker, op, body)
     result = NOTHING
     for native in seen.performed.values():
-        marks = [_handed(walker, op, body, h).under(spread) for h in native.args]
-        named = {n.removeprefix(MAYBE): _handed(walker, op, body, h).under(spread) for n, h in native.keywords}
+        marks = [handed(walker, op, body, h, spread).under(spread.size) for h in native.args]
+        named = {
+            n.removeprefix(MAYBE): handed(walker, op, body, h, spread).under(spread.size) for n, h in native.keywords
+        }
         result = result.joined(natives.perform(walker, op, body, seen, native, marks, named))
     if walker.attempts and may_fail(op, seen):
         walker.attempts[-1].mask |= result.mask
     return result
-
-
-def _all_bound(walker: Walker, op: ops.Op, body: Body, several: list[Called]) -> list[list[Mark]]:
-    """The marks of the parameters of each call; of many, joined."""
-    marks = [_bound(walker, op, body, called) for called in several]
-    return marks if len(several) <= _FEW else [joined_marks(marks)]
 
 
 def _perform(walker: Walker, body: Body, name: str, marks: list[Mark], result: Mark | None) -> Mark | None:
@@ -147,98 +152,25 @@ def resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: i
     return walker.enter(activation, [everything] * len(code.parameters.names), pc)
 
 
-def _bound(walker: Walker, op: ops.Op, body: Body, called: Called) -> list[Mark]:
-    """The marks of the parameters, in the order of their registers."""
-    spread = _spread_size(walker, op, body)
-    given = [_handed(walker, op, body, h) for h in called.args]
-    if spread:
-        given = [mark.under(spread) for mark in given]
-    named: dict[str, Mark] = {}
-    for name, handed in called.keywords:
-        unknown = name in (LOOSE, ORDER, ANY)
-        plain = name if unknown else name.removeprefix(MAYBE)
-        named[plain] = _handed(walker, op, body, handed, "" if unknown else plain).under(spread)
-    made = Mark(body.registers[op.func].mask | spread if isinstance(op, ops.Call) else 0)
-    return in_parameters(walker, body, op.number, called.function, given, named, made, spread)
-
-
-def in_parameters(
-    walker: Walker,
-    body: Body,
-    site: int,
-    function: Function,
-    given: list[Mark],
-    named: dict[str, Mark],
-    made: Mark,
-    spread: int = 0,
-) -> list[Mark]:
-    """What stands in the parameters: the arguments, the defaults that are in what the function was `made` with, what `*` and `**` gather."""
-    parameters = function.code.parameters
-    count = len(parameters.positional)
-    unnamed = NOTHING
-    for name, mark in named.items():
-        if name in (LOOSE, ORDER, ANY):
-            unnamed = unnamed.joined(mark)
-    marks = list(given[:count])
-    for name in parameters.positional[len(marks) :]:
-        marks.append((named.get(name) or _default(function, made, name)).joined(unnamed))
-    if parameters.vararg is not None:
-        root: Root = walker.shape.made(body.activation, site, "*", "tuple")
-        slots: dict[object, Mark] = dict(enumerate(given[count:]))
-        walker.memory.place(root, Content(0, unnamed, body.pc | spread, slots))
-        marks.append(Mark(body.pc, frozenset((root,))))
-    marks += [(named.get(n) or _default(function, made, n)).joined(unnamed) for n in parameters.kwonly]
-    if parameters.kwarg is not None:
-        root = walker.shape.made(body.activation, site, "**", "tuple")
-        further: dict[object, Mark] = {n: m for n, m in named.items() if n not in parameters.names}
-        walker.memory.place(root, Content(0, unnamed, body.pc | spread, dict(further)))
-        marks.append(Mark(body.pc, frozenset((root,))))
-    return marks
-
-
-def _default(function: Function, made: Mark, name: str) -> Mark:
-    """The mark of a parameter that is not given: what the function was made with."""
-    positional, defaults = function.code.parameters.positional, function.defaults
-    for named, default in chain(zip(reversed(positional), reversed(defaults), strict=False), function.kwdefaults):
-        if named == name:
-            return Mark(made.mask, frozenset(refs_of(default)))
-    return Mark(made.mask)
-
-
-def _spread_size(walker: Walker, op: ops.Op, body: Body) -> int:
-    """How many arguments `*` and `**` give, and so which of them is which."""
+def _spread(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> Spread:
+    """The same of one call."""
     size = 0
-    if not isinstance(op, ops.Call) or not op.spreads:
-        return size
     for argument in op.arguments:
         if argument.is_spread:
             mark = body.registers[argument.register]
             size |= mark.mask | walker.memory.size(mark.roots)
-    return size
-
-
-def _handed(walker: Walker, op: ops.Op, body: Body, handed: Handed, name: str = "") -> Mark:
-    """The mark of one argument: that of the registers in which it stands, else all that the operation reads, but for plain objects."""
-    found = Mark(body.pc, frozenset(handed.refs))
-    for register in handed.registers:
-        found = found.joined(body.registers[register])
-    if handed.registers:
-        return found
-    spread = [a.register for a in op.arguments if a.kind == "doublestar"] if name and isinstance(op, ops.Call) else []
-    if spread:
-        for register in spread:
-            mark = body.registers[register]
-            found = found.joined(walker.memory.read(mark.roots, name)).under(mark.mask)
-        return found
-    if handed.refs and not handed.more:
-        if not isinstance(op, ops.Call):
-            return found
-        chosen = body.registers[op.func].mask  # of a receiver, or an object that is made here
-        return found.under(demoted(chosen) if len(handed.refs) == 1 and walker.memory.is_one(handed.refs) else chosen)
-    for register in reads(op):
-        mark = body.registers[register]
-        found = found.joined(Mark(walker.memory.deep(mark), frozenset(r for r in mark.roots if not isinstance(r, int))))
-    return found
+    called = {f.code.key for f in callees(seen.functions) if isinstance(f, Function)}
+    asked = {
+        key: several[0].function.code.name
+        for key, several in walker.sites.by_code(seen).items()
+        if several[0].function.code.name in implicit.ELEMENTS and key not in called
+    }
+    if not asked:
+        return Spread(size)
+    given = run_callees(walker, op, body, seen, tuple(asked.values())) or NOTHING
+    found = implicit.gone_through(walker, given)
+    receivers = frozenset(r for f in seen.functions if isinstance(f, BoundMethod) for r in refs_of(f.receiver))
+    return Spread(size | found.mask, found, frozenset(asked), receivers)
 
 
 # Calls as they are written
@@ -258,29 +190,64 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
             memory.place(root, Content())
     construct(walker, op, body, seen, marks)
     given = run_callees(walker, op, body, seen, pc=pc)
+    if given is not None and site.calls_back and (more := memory.deep(given) & ~_deep(walker, marks)):
+        # What one function gave may be handed on to another.
+        given = either(given, run_callees(walker, op, body, seen, pc=pc, others=Mark(more))) or given
     result = NOTHING if given is None else given
     for callee in site.callees:
         if is_native(callee):
-            handed = implicit.with_elements(seen, marks, given)
-            computed = natives.apply(walker, op, body, seen, callee, handed)
+            passed = implicit.with_elements(seen, marks, given)
+            computed = natives.apply(walker, op, body, seen, callee, passed)
             result = result.joined(computed)
             if walker.attempts and may_fail(op, seen):
                 walker.attempts[-1].mask |= computed.mask
         elif isinstance(callee, Class):
             result = result.joined(Mark(body.pc, frozenset(seen.refs)))
     if site.unknown:
-        computed = library.unknown(walker, op, body, function, marks, op.arguments)
+        owner, *passed = implicit.under_given(walker, "", (Mark(0, owners_of(function)), *marks), unseen=True)
+        computed = library.unknown(walker, op, body, function.under(owner.mask), passed, op.arguments)
         result = result.joined(computed)
         if walker.attempts:
             walker.attempts[-1].mask |= computed.mask
     roots = frozenset(map(walker.shape.owner, leads(seen, result))) | site.externals
-    mask = result.mask | body.pc | pc | (0 if site.opens else arising(walker, seen)) | implicit.given_by(walker, marks)
-    for _, entry in seen.scheduled:
-        mask |= walker.returned.get(entry, 0)
+    mask = result.mask | body.pc | pc | (0 if site.opens else arising(walker, seen))
+    if seen.scheduled:
+        mask |= _given_back(walker, seen, [*marks, function] if site.unknown else [], function)
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))
-    _register(walker, op, body, seen, marks, pc)
+    owners = owners_of(function) if walker.calling or seen.scheduled else frozenset()
+    if seen.scheduled and site.unknown and not owners <= walker.calling:
+        walker.calling |= owners
+        walker.forget()
+    if not walker.calling.isdisjoint(owners) or (walker.threaded and site.waits):
+        walker.meet_callbacks()
+    if seen.scheduled:
+        schedule(walker, seen, marks, body.pc | pc, _hands(walker, function, seen))
     if site.spins:
         walker.join_beside()
+
+
+def _deep(walker: Walker, marks: Iterable[Mark]) -> int:
+    """All that these depend on, with what they lead to."""
+    mask = 0
+    for mark in marks:
+        mask |= walker.memory.deep(mark)
+    return mask
+
+
+def _given_back(walker: Walker, seen: Seen, marks: Iterable[Mark], function: Mark) -> int:
+    """What the functions return that are handed to a library here: it may keep that in its object, and in what it may write to."""
+    mask = 0
+    for _, entry in seen.scheduled:
+        mask |= walker.returned.get(entry, 0)
+    if mask:
+        kept = set(owners_of(function))
+        for each in seen.functions:
+            if isinstance(each, BoundMethod):
+                kept.update(refs_of(each.receiver))
+        for mark in marks:
+            kept |= mark.roots
+        walker.memory.write_any(kept - walker.shape.nodes, Mark(mask), mask)
+    return mask
 
 
 def _send(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark], pc: int) -> None:
@@ -288,8 +255,7 @@ def _send(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             mask = pc | demoted(body.registers[op.func].mask)
-            for mark in (*marks, Mark(0, frozenset[Root](bound_in(body.registers[op.func])))):
-                mask |= walker.memory.deep(mark)
+            mask |= _deep(walker, (*marks, Mark(0, frozenset[Root](bound_in(body.registers[op.func])))))
             send(walker, effect, mask)
 
 
@@ -314,17 +280,16 @@ def _addresses(value: Value) -> Iterable[int]:
             yield address
 
 
-def _register(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark], pc: int) -> None:
+def schedule(walker: Walker, seen: Seen, marks: Iterable[Mark], pc: int, hands: tuple[str, ...] = ()) -> None:
     """Callbacks that are registered here run only where control is here, and may be given what is at hand."""
-    handed = _hands(walker, body.registers[op.func], seen) if seen.scheduled else ()
     for _, entry in seen.scheduled:
-        if handed and entry.event == BY_LIBRARY:
-            walker.handed[entry] = handed
+        if hands and entry.event == BY_LIBRARY:
+            walker.handed[entry] = hands
         given, callback = 0, NOTHING
         for mark in marks:
             given |= walker.memory.deep(mark) if entry.event not in _ARRIVING else 0
             callback = callback.joined(Mark(mark.mask, bound_in(mark)))
-        walker.register(entry, body.pc | pc, given, callback)
+        walker.register(entry, pc, given, callback)
 
 
 def _hands(walker: Walker, function: Mark, seen: Seen) -> tuple[str, ...]:

@@ -18,6 +18,7 @@ from rosward.flow.native_call import NativeCall
 if TYPE_CHECKING:
     from rosward.engine.seen import Seen
     from rosward.flow.body import Body
+    from rosward.flow.memory import Memory
     from rosward.flow.walker import Walker
     from rosward.ir import ops
 
@@ -47,6 +48,14 @@ def construct(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[
     given = partials.bound_in(body.registers[op.func])
     if given:
         walker.memory.write_any(roots, partials.Given(walker, given).whole.under(body.pc))
+
+
+def attributes(memory: Memory, classes: frozenset[Root], mark: Mark, pc: int) -> None:
+    """Classes have what stands in a dict as their attributes: `type(name, bases, found)`, `__prepare__`."""
+    for root in mark.roots:
+        content = memory.of(root)
+        memory.write_each(classes, {key: each.under(pc) for key, each in content.slots.items()}, content.slots)
+        memory.write_any(classes, content.any.under(content.base | pc))
 
 
 def fill(call: NativeCall) -> Mark:

@@ -19,6 +19,7 @@ from rosward.flow.cpp_acts import acts, is_busy
 from rosward.flow.cpp_values import (
     copied,
     field,
+    keys,
     nameless,
     operands,
     settled,
@@ -131,7 +132,7 @@ def _beside(walker: Walker, owner: Mark, held: Mark, name: str) -> int:
             parts = refs_of(record.attrs.get(other, NONE))
             mask |= walker.memory.deep(Mark(0, frozenset((root, *parts))))
     if name == "first":
-        mask |= cpp_outside.keys(walker, frozenset(filter(is_slot, owner.roots)))
+        mask |= keys(walker, frozenset(filter(is_slot, owner.roots)))
     return mask
 
 
@@ -149,9 +150,22 @@ def _item(walker: Walker, op: cpp.Item, body: Body, seen: Seen) -> None:
         key = constant(seen, op.index)
         for root in held.roots:
             found = found.joined(walker.memory.read((root,), key) if key is not None else walker.memory.of(root).whole)
+        if not held.roots:
+            found = found.joined(_behind(walker, owner, key))
     found = found if given is None else found.joined(given)
     mark = settled(walker, found, seen, body)
     body.registers[op.dst] = Mark(mark.mask | arising(walker, seen, read=True), mark.roots)
+
+
+def _behind(walker: Walker, pointer: Mark, key: object) -> Mark:
+    """What stands in an array at so many elements behind the one to which a pointer leads."""
+    found = NOTHING
+    for base, first, how in map(slot_of, slots(pointer)):
+        if isinstance(base, int) and walker.shape.kind(base) == "list":
+            known = how == "one" and isinstance(first, int) and isinstance(key, int)
+            content = walker.memory.of(base)
+            found = found.joined(content.read(first + key) if known else content.whole)  # type: ignore[operator]  # both are numbers
+    return found
 
 
 def _deref(walker: Walker, op: cpp.Deref, body: Body, seen: Seen) -> None:

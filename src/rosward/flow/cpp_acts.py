@@ -14,6 +14,7 @@ from rosward.flow.cpp_values import (
 )
 from rosward.flow.marks import NOTHING, Mark
 from rosward.flow.reading import constant
+from rosward.flow.site import waits
 from rosward.ir import cpp, ops
 
 if TYPE_CHECKING:
@@ -58,6 +59,8 @@ def acts(
     cpp_calls.register(walker, body, seen, everything)
     if any(n in _SPINS for n in seen.natives):
         walker.join_beside()
+    elif walker.threaded and any(map(waits, (*seen.natives, *seen.strange))):
+        walker.meet_callbacks()
     return result
 
 

@@ -21,6 +21,7 @@ from rosward.flow.cpp_values import (
     copies,
     elements,
     field,
+    keys,
     nameless,
     operands,
     settled,
@@ -73,9 +74,13 @@ def _aggregate(walker: Walker, seen: Seen, places: list[int], marks: list[Mark])
     for place in places:
         record = walker.shape.record(place)
         site = seen.made.get(place)
-        if not marks or record is None or place in built or site != "object":
+        if not marks or record is None or place in built:
             continue
         given = _braced(walker, marks)
+        if record.kind == "list":
+            _give_elements(walker, place, given, marks)
+        if site != "object":
+            continue
         names = list(record.attrs)
         if given is None or len(given) > len(names):
             whole = NOTHING
@@ -85,6 +90,16 @@ def _aggregate(walker: Walker, seen: Seen, places: list[int], marks: list[Mark])
             continue
         for name, mark in zip(names, given, strict=False):
             _give_field(walker, seen, place, name, mark)
+
+
+def _give_elements(walker: Walker, place: int, given: list[Mark] | None, marks: list[Mark]) -> None:
+    """`double both[2] = {a, b}`."""
+    for number, mark in enumerate(marks if given is None else given):
+        found = value(walker, mark)
+        if given is None:
+            walker.memory.write_any([place], Mark(walker.memory.deep(found), found.roots))
+        else:
+            walker.memory.write(frozenset((place,)), number, found)
 
 
 def _braced(walker: Walker, marks: list[Mark]) -> list[Mark] | None:
@@ -250,6 +265,8 @@ def _destructure(walker: Walker, op: cpp.Destructure, body: Body, seen: Seen) ->
     for number, register in enumerate(op.dsts):
         refs = seen.parts.get(number, seen.refs)
         found = Mark(held.mask | body.pc, nameless(held))
+        if number == 0:
+            found = found.under(keys(walker, slots(source)))
         for root in held.roots:
             record = walker.shape.record(root) if isinstance(root, int) else None
             names = list(record.attrs) if record is not None and record.kind == "instance" else []

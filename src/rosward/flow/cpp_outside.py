@@ -15,12 +15,13 @@ from rosward.flow import library, parameters
 from rosward.flow.body import Body
 from rosward.flow.content import Content
 from rosward.flow.cpp_values import (
+    keys,
     nameless,
     slots,
     value,
 )
 from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES, STREAMS
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, slot_of
+from rosward.flow.marks import HANDLED, NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.outside import cleaned, out
 from rosward.flow.reading import arising
 
@@ -42,6 +43,8 @@ def natives(
         near = near.joined(value(walker, mark))
         passed |= slots(mark)
     names = [n for n in seen.natives if n not in _QUIET]
+    if passed and not all(n.endswith(".erase") for n in names):  # iterators into maps lead to keys, too
+        near = near.under(keys(walker, passed))
     whole = near
     last = [n.rpartition(".")[2] for n in names]
     own = bool(names) and all(
@@ -83,15 +86,11 @@ def natives(
     return Mark(mask, nameless(whole))
 
 
-def keys(walker: Walker, roots: frozenset[Root]) -> int:
-    """What the keys of maps are made of, which no slot holds."""
-    bases = {slot_of(root)[0] if is_slot(root) else root for root in roots}
-    return walker.memory.size([b for b in bases if isinstance(b, int) and walker.shape.kind(b) == "dict"])
-
-
-def _parameter(walker: Walker, body: Body, seen: Seen, name: str, marks: list[Mark], keys: tuple[object, ...]) -> int:
+def _parameter(
+    walker: Walker, body: Body, seen: Seen, name: str, marks: list[Mark], constants: tuple[object, ...]
+) -> int:
     """The parameter that a native of the models gives, or writes to a variable: of one that is not known, any."""
-    known = keys[1] if len(keys) > 1 else None
+    known = constants[1] if len(constants) > 1 else None
     nodes = value(walker, marks[0]).roots if marks else frozenset()
     if name in _PARAMETERS_SET:
         given = value(walker, marks[2]) if len(marks) > 2 else NOTHING
@@ -249,6 +248,11 @@ def strange(
     given = 0
     for name in names:
         given |= library.perform(walker, name, mask, body.pc)
+    if "std.current_exception" in names:
+        handled = memory.of(HANDLED).whole
+        mask, behind = mask | memory.deep(handled), behind | handled.roots
+    if "std.rethrow_exception" in names and walker.attempts:
+        walker.attempts[-1].raises(Mark(mask, behind), mask)
     root = walker.shape.made(body.activation, op_number, names[0])
     memory.renew(root)
     known = [walker.shape.said(n) for n in names]

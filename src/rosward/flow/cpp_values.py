@@ -83,6 +83,12 @@ def elements(walker: Walker, mark: Mark) -> Mark:
     return found
 
 
+def keys(walker: Walker, roots: frozenset[Root]) -> int:
+    """What the keys of maps are made of, which no slot holds."""
+    bases = {slot_of(root)[0] if is_slot(root) else root for root in roots}
+    return walker.memory.size([b for b in bases if isinstance(b, int) and walker.shape.kind(b) == "dict"])
+
+
 # Copies
 
 
@@ -113,6 +119,10 @@ def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root]
             continue
         if source is not None and source != address:
             memory.place(address, _renamed(memory.of(source), fresh))
+        elif isinstance(site, tuple) and site[:1] == ("pair",):  # an entry of a map
+            held = value(walker, everything)
+            first = Mark(everything.mask | keys(walker, slots(everything)))
+            memory.place(address, Content(0, NOTHING, 0, {"first": first, "second": held}))
         elif site in _MERGED:
             memory.place(address, Content(memory.deep(everything)))
         elif but is None:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
-from rosward.flow import arrays
+from rosward.flow import arrays, hidden
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of
 from rosward.flow.outside import cleaned, comes_in, out
 from rosward.flow.reading import opaque, owners_of
@@ -28,8 +28,6 @@ _KNOWN: Final = ("rclpy.", "tf2_ros.", "builtins.")
 _SEEDING: Final = frozenset(("random.seed", "random.setstate", "numpy.random.seed", "numpy.random.set_state"))
 _SEEDED: Final[Root] = ("seeded",)
 """What decides which random numbers come."""
-LOGGED: Final[Root] = ("logged",)
-"""What handlers of the program may find in the records of `logging`."""
 _FEW: Final = 12
 """So many objects the result of an unknown call is said to be itself; it leads to more."""
 
@@ -41,8 +39,7 @@ def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
         out(walker, kind, mask | pc)
     if name in _SEEDING:
         walker.memory.write_any((_SEEDED,), Mark(mask | pc))
-    if name.startswith("logging."):
-        walker.memory.write_any((LOGGED,), Mark(mask | pc))
+    hidden.keep(walker, name, mask | pc)
     given = 0
     for kind in said.sources:
         given |= comes_in(walker, kind)
@@ -76,7 +73,7 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
         mask = body.pc
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
-    return Mark(mask | given, frozenset((root,)))
+    return Mark(mask | given, hidden.led_to((name,)) | {root})
 
 
 def _given_as(parameter: str, function: Function, marks: list[Mark]) -> Mark:
@@ -134,8 +131,12 @@ def unknown(
     reached: set[Root] = set()
     for mark in everything:
         reached.update(walker.memory.reached(mark))
-    walker.memory.write_any(reached, Mark(mask | given), mask)
-    behind = frozenset[Root]().union(*(m.roots for m in everything))
+    led = hidden.led_to(names)
+    walker.memory.write_any(reached, Mark(mask | given, led), mask)
+    behind = led.union(*(m.roots for m in everything))
+    kept = frozenset(r for r in behind if isinstance(r, int)) - walker.shape.nodes
+    if kept:  # an object of a library may keep what it is given
+        walker.memory.write_any(owners_of(function), Mark(0, kept))
     if len(reached) > walker.shape.few:  # it may have written each into each
         walker.memory.merge(reached)
     if len(behind) > _FEW:

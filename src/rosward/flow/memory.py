@@ -80,6 +80,11 @@ class Memory(Standing):
         self.current()
         return self._cover(other.current(), self.differing(other))
 
+    def wrote_to_others(self, before: Memory) -> bool:
+        """Whether anything was written since to an object that was there."""
+        roots = (self.numbers.roots[number] for number in self.current().differing(before.current()))
+        return any(isinstance(root, int) and root not in self.shape.placed for root in roots)
+
     def meet(self, beside: Memory, state: int) -> None:
         """Cover what stands beside, which has a number for each of its states. What covered that state is looked at where it was written since."""
         self.current()

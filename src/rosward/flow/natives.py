@@ -16,10 +16,10 @@ from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.arguments import ANY, LOOSE, ORDER
 from rosward.engine.seen import refs_of
-from rosward.flow import containers, library, parameters, partials
-from rosward.flow.constructed import fill
+from rosward.flow import containers, frames, implicit, library, parameters, partials
+from rosward.flow.constructed import attributes, fill
 from rosward.flow.content import Content
-from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, Root, decided, demoted, of_library
+from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, decided, demoted, of_library
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, owners_of
@@ -42,6 +42,7 @@ def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, m
     if isinstance(callee, External):
         if message_name(callee.name) is not None:
             return _message(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
+        marks = implicit.under_given(walker, callee.name, marks, unseen=not walker.shape.is_native(callee.name))
         if walker.shape.is_native(callee.name):
             return _native(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
         named = Mark(function.mask, frozenset((of_library(callee.name),)))
@@ -49,9 +50,10 @@ def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, m
     if isinstance(callee, BoundMethod):
         assert isinstance(callee.function, Native)
         name = callee.function.name
-        receiver = _receiver(walker, seen, callee, function)
+        receiver, *marks = implicit.under_given(walker, name, (_receiver(walker, seen, callee, function), *marks))
         return _native(NativeCall(walker, op, body, seen, name, [receiver, *marks], op.arguments, receiver))
     assert isinstance(callee, Native)
+    marks = implicit.under_given(walker, callee.name, marks)
     return _native(NativeCall(walker, op, body, seen, callee.name, marks, op.arguments))
 
 
@@ -59,7 +61,9 @@ def perform(
     walker: Walker, op: ops.Op, body: Body, seen: Seen, native: Performed, marks: list[Mark], named: dict[str, Mark]
 ) -> Mark:
     """The same for one that the operation does not call as it is written, and is given this."""
-    all_marks = [*marks, *named.values()]
+    called = getattr(native.callee, "name", "")
+    is_known = isinstance(native.callee, (Native, External)) and walker.shape.is_native(called)
+    all_marks = implicit.under_given(walker, called, (*marks, *named.values()), unseen=not is_known)
     arguments = [ops.Argument("positional", ops.NO_REGISTER)] * len(marks)
     arguments += [ops.Argument("star" if n in (LOOSE, ORDER, ANY) else "keyword", ops.NO_REGISTER, n) for n in named]
     if not isinstance(native.callee, (Native, External)):
@@ -137,11 +141,7 @@ def _variables(call: NativeCall) -> Mark:
     """The attributes of an object; without one, the variables of the function that runs, as they are now."""
     if call.marks or call.within:
         return _pass(call)
-    found, memory = NOTHING, call.walker.memory
-    for mark in call.body.registers:
-        found = found.joined(mark)
-    for cell in call.body.activation.cells:
-        found = found.joined(memory.read((cell,), "value"))
+    found = frames.variables(call.walker, call.body)
     owners = frozenset(map(call.walker.shape.owner, call.seen.refs))
     return call.new(Content(0, found, call.pc)) if owners == frozenset(call.seen.refs) else Mark(call.pc, owners)
 
@@ -233,8 +233,9 @@ def _of_library(call: NativeCall) -> Mark:
     for body in reversed(call.walker.bodies):
         if not body.activation.code.file.startswith("models:"):
             break
-        for mark in body.arguments:
+        for mark in dict.fromkeys((*body.arguments, *body.registers)):
             mask |= call.walker.memory.deep(Mark(mark.mask, mark.roots - nodes))
+        mask |= implicit.given_by(call.walker, body.arguments, unseen=True)
     if call.key(1) == "cancel request":
         mask = call.pc | call.walker.sources.data(call.walker.source_here("cancel"))
     return call.computed(mask)
@@ -293,11 +294,7 @@ def _exists(call: NativeCall) -> Mark:
 
 def _type(call: NativeCall) -> Mark:
     """Of which class an object is; with three arguments, a new class with these attributes."""
-    memory, classes = call.walker.memory, frozenset[Root](call.seen.refs)
-    for root in call.mark(2).roots:
-        content = memory.of(root)
-        memory.write_each(classes, {key: mark.under(call.pc) for key, mark in content.slots.items()}, content.slots)
-        memory.write_any(classes, content.any.under(content.base | call.pc))
+    attributes(call.walker.memory, frozenset(call.seen.refs), call.mark(2), call.pc)
     return _identity(call)
 
 
@@ -309,6 +306,12 @@ def _run_code(call: NativeCall) -> Mark:
     for mark in call.marks:
         mask |= call.walker.memory.deep(mark)
     return call.computed(mask)
+
+
+def _everything(call: NativeCall) -> Mark:
+    """Gives all objects that there are, or tells a function of everything that happens."""
+    call.walker.lost = True
+    return Mark(call.pc)
 
 
 def _handled(call: NativeCall) -> Mark:
@@ -327,7 +330,18 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **containers.KNOWN,
     **dict.fromkeys(("isinstance", "issubclass", "id", "callable", "super", "object"), _identity),
     **dict.fromkeys(("exec", "eval"), _run_code),
-    **dict.fromkeys(("sys._handled", "traceback.format_exc"), _handled),
+    **dict.fromkeys(
+        (
+            "gc.get_objects",
+            "gc.get_referrers",
+            "sys.settrace",
+            "sys.setprofile",
+            "threading.settrace",
+            "threading.setprofile",
+        ),
+        _everything,
+    ),
+    **dict.fromkeys(("sys._handled", "sys._uncaught", "threading._uncaught", "traceback.format_exc"), _handled),
     "type": _type,
     "hasattr": _exists,
     "getattr": _get_attribute,
@@ -353,6 +367,9 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **dict.fromkeys(("_rosward.set_parameter", "_rosward.undeclare_parameter"), _set_parameter),
     **dict.fromkeys(("_rosward.is_given", "rclpy.node.Node.has_parameter"), _has_parameter),
     "functools.partial": partials.make,
+    "inspect.currentframe": frames.current,
+    "inspect.stack": frames.stack,
+    "sys._getframe": frames.any_of,
     "memoryview": _view,
     "collections._fill": fill,
     "contextlib._end": _throw_into,

@@ -17,12 +17,11 @@ from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
 from rosward.engine.seen import refs_of
-from rosward.flow import blocks, cpp, cpp_calls, implicit, straight
+from rosward.flow import blocks, cpp, cpp_calls, hidden, implicit, straight
 from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send, sink_of
 from rosward.flow.content import Content, TooLongError
-from rosward.flow.library import LOGGED
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
 from rosward.flow.memory import Memory
 from rosward.flow.said import wrong_marks
@@ -120,6 +119,7 @@ def _settle(walker: Walker, machine: Interpreter) -> bool:
     entries = list(machine.schedule_book.entries.values())
     entries = list({_where(e): e for e in reversed(entries)}.values())[::-1]
     walker.threaded = any(e.event == "thread" for e in entries)
+    walker.logs = any(e.event == "log" for e in entries)
     for _ in range(_ROUNDS):
         walker.changed = False
         _main(walker)
@@ -188,20 +188,29 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
         for argument in arguments:
             pc |= triggering(walker.memory.deep(argument))
     seen, given = root.of(0), walker.given.get(entry, 0)
+    handed = _handed(walker, entry, root) if entry.args is None else []
+    given |= hidden.told_to(walker, entry)
+    if entry.event == "log":
+        given |= hidden.logged(walker)
+    if _implicit(walker, entry):
+        told = implicit.arguments_of(walker, entry.callback)
+        given |= told.mask
+        handed = handed or [told] * _free(entry)
     if root.code.language == CPP or seen.bound:
         result = cpp_calls.begin(walker, root, arguments, given, pc)
         if arguments and entry.event == "service":  # the response is the last of them
             result = result.joined(arguments[-1])
     else:
-        handed = _handed(walker, entry, root) if entry.args is None else []
         result = begin(walker, root, arguments, _as_registered(walker, entry), given, pc, handed)
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             send(walker, effect, walker.memory.deep(result) | pc)
     if entry.event == BY_LIBRARY:
         walker.give_back(entry, walker.memory.deep(result))
-    if entry.event == BY_PYTHON:
-        implicit.keep(walker, entry.callback, walker.memory.deep(result))
+    if _implicit(walker, entry):
+        implicit.keep(
+            walker, entry.callback, walker.memory.deep(result), writes=walker.memory.wrote_to_others(walker.beside)
+        )
     walker.leave()
 
 
@@ -212,7 +221,7 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     if roots and _came(walker, entry):
         return Mark(0, roots)
     if entry.event == "log":
-        return Mark(walker.memory.of(LOGGED).whole.mask, roots)
+        return Mark(hidden.logged(walker), roots)
     if number == _which(entry) and entry.event in ("message", "service", "goal", "feedback") and sources:
         mask = 0
         for source in sources:
@@ -230,13 +239,22 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
 
 def _handed(walker: Walker, entry: Scheduled, root: Activation) -> list[Mark]:
     """The objects of a library with which it calls a callback, in front of what nobody knows."""
+    classes = walker.handed.get(entry, ())[: _free(entry)]
+    return [Mark(0, frozenset((walker.shape.made(root, -1 - n, name),))) for n, name in enumerate(classes)]
+
+
+def _free(entry: Scheduled) -> int:
+    """How many parameters of a callback nothing is bound to yet."""
     function, bound = entry.callback, 0
     while isinstance(function, (BoundMethod, Partial)):
         bound += 1 if isinstance(function, BoundMethod) else len(function.arguments)
         function = function.function
-    count = len(function.code.parameters.positional) - bound if isinstance(function, Function) else 0
-    classes = walker.handed.get(entry, ())[: max(count, 0)]
-    return [Mark(0, frozenset((walker.shape.made(root, -1 - n, name),))) for n, name in enumerate(classes)]
+    return max(len(function.code.parameters.positional) - bound, 0) if isinstance(function, Function) else 0
+
+
+def _implicit(walker: Walker, entry: Scheduled) -> bool:
+    """Whether nothing in the program hands on this callback: Python calls it by itself, or a library that has an object of its class."""
+    return entry.event == BY_PYTHON or (entry.event == BY_LIBRARY and entry not in walker.registered)
 
 
 def _as_registered(walker: Walker, entry: Scheduled) -> Mark:

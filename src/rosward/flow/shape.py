@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.certain import text_of
 from rosward.domain.compound import External, Tuple
-from rosward.domain.values import NONE, Class, Ref
+from rosward.domain.values import NONE, Class, Function, Ref, Value
 from rosward.effects.flows import Source
+from rosward.engine.python.implicit import FOLLOWED
 from rosward.engine.seen import Activation, refs_of
 from rosward.flow.marks import Root
 from rosward.flow.said import marks_of, told_by
@@ -40,6 +41,28 @@ _FIELDS: Final = ("__match_args__", "_fields")
 """The attributes in which a class keeps the names of its fields."""
 
 
+GIVING_NOTHING: Final = frozenset(
+    (
+        *(
+            "__del__",
+            "__init__",
+            "__init_subclass__",
+            "__set_name__",
+            "__setattr__",
+            "__delattr__",
+            "__set__",
+            "__delete__",
+        ),
+        *("__setitem__", "__delitem__", "__setstate__", "__release_buffer__"),
+    )
+)
+"""Methods of which nobody takes what they return."""
+_LAYOUTS: Final = {
+    f"ctypes.{order}{kind.capitalize()}": kind
+    for order in ("", "BigEndian", "LittleEndian")
+    for kind in ("structure", "union")
+}
+"""Classes of `ctypes` whose attributes have their places in memory."""
 _FEW: Final = ((30_000, 48), (100_000, 12), (float("inf"), 4))
 """While less was spent than that, so many objects are told apart."""
 _ALL: Final = 1_000_000
@@ -79,6 +102,7 @@ class Shape:
         # In C++ parts have their place in a whole: only what libraries made is merged.
         self.merges_objects = machine.linked is None
         self._said = marks_of(machine)
+        self._laid_out: dict[Root, bool] | None = None
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
 
@@ -203,6 +227,63 @@ class Shape:
         obj = self.record(address)
         cls = None if obj is None else obj.cls
         return f"{cls.module}.{cls.qualname}" if isinstance(cls, Class) and cls.stub else ""
+
+    def libraries(self, address: int) -> set[str]:
+        """The modules of libraries in which an object has base classes."""
+        obj = self.record(address)
+        cls = None if obj is None else obj.cls
+        mro = cls.mro if isinstance(cls, Class) else ()
+        names = [c.module for c in mro if isinstance(c, Class) and c.stub]
+        names += [c.name for c in mro if isinstance(c, External)]
+        return {name.partition(".")[0] for name in names}
+
+    def overlaps(self, root: Root) -> bool:
+        """Whether what is written to one attribute of an object may stand in others, too: in a union of `ctypes`, and in a part of one."""
+        if self._laid_out is None:
+            self._laid_out = dict(self._layouts())
+        if not self._laid_out:
+            return False
+        part, inside = root, False
+        while not isinstance(part, int) and part[0] == "of":
+            part, inside = part[1], True  # type: ignore[assignment]  # a root
+        return self._laid_out.get(part, False) or (inside and part in self._laid_out)
+
+    def _layouts(self) -> Iterator[tuple[Root, bool]]:
+        """The objects whose attributes have places in memory; whether these are the same for several."""
+        for address, obj in self._machine.state.heap.items():
+            mro = obj.cls.mro if obj.kind == "instance" and isinstance(obj.cls, Class) else ()
+            kinds = {kind for c in mro if isinstance(c, External) and (kind := _LAYOUTS.get(c.name))}
+            if kinds:
+                yield (
+                    address,
+                    "union" in kinds or any("_anonymous_" in self._attributes(c) for c in self.classes(address)),
+                )
+
+    def _attributes(self, cls: int) -> Mapping[str, Value]:
+        record = self.record(cls)
+        return {} if record is None else record.attrs
+
+    def followed(self) -> dict[str, set[int]]:
+        """The methods that the interpretation follows where Python calls them, by their code; with the classes that have them."""
+        found: dict[str, set[int]] = {}
+        for address, obj in self._machine.state.heap.items():
+            for name, value in obj.attrs.items() if obj.kind == "class" else ():
+                if (
+                    name in FOLLOWED
+                    and name not in GIVING_NOTHING
+                    and isinstance(value, Function)
+                    and not value.code.file.startswith("models:")
+                ):
+                    found.setdefault(value.code.key, set()).add(address)
+        return found
+
+    def module_name(self, root: Root) -> str:
+        """The name of what is a module, up to the first dot; '' where it is none, or none with a model."""
+        if not isinstance(root, int):
+            return str(root[1]).partition(".")[0] if root[0] == "external" else ""
+        obj = self.record(root)
+        name = None if obj is None or obj.kind != "module" else obj.attrs.get("__name__")
+        return (text_of(name) or "").partition(".")[0] if name is not None else ""
 
     def said(self, name: str) -> FlowMark:
         """What marks say of a function of a library, by its dotted name."""

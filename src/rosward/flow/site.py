@@ -22,18 +22,21 @@ class Site:
     """Of one operation in one activation.
 
     `callees`: what is called as it is written; `unknown`: somebody may be called of whom nothing is known. `creates`: it only makes an object
-    of a class. `opens`: what it gives is open, and nothing of it is read yet. `spins`: callbacks run meanwhile.
+    of a class. `opens`: what it gives is open, and nothing of it is read yet. `spins`: callbacks run meanwhile. `calls_back`: a library runs
+    functions of the program. `waits`: others run meanwhile.
     """
 
-    __slots__ = ("callees", "creates", "externals", "opens", "spins", "unknown")
+    __slots__ = ("callees", "calls_back", "creates", "externals", "opens", "spins", "unknown", "waits")
 
     def __init__(self, op: ops.Call, seen: Seen) -> None:
         functions = seen.functions
         self.callees = tuple(c for c in _apart(_as_written(op, functions)) if not isinstance(c, Function))
         self.unknown = not functions or not all(is_native(c) or isinstance(c, Class) for c in self.callees)
+        self.calls_back = bool(seen.calls) and any(map(is_native, self.callees))
         self.creates = len(seen.refs) == 1 and all(isinstance(f, Class) for f in functions)
         self.externals: frozenset[Root] = frozenset(map(of_library, seen.externals))
         self.opens = any(isinstance(f, Native) and f.name.endswith("open") for f in functions)
+        self.waits = any(waits(_name(f)) for f in callees(functions))
         self.spins = any(_spins(f) for f in callees(functions))
 
 
@@ -146,6 +149,26 @@ def _as_written(op: ops.Call, functions: Iterable[Value]) -> Iterator[Value]:
 def _apart(several: Iterable[Value]) -> Iterable[Value]:
     """Of the methods of natives, one for each function: what all of them are bound to is known."""
     return {(BoundMethod, c.function) if isinstance(c, BoundMethod) else c: c for c in several}.values()
+
+
+_WAITING: Final = frozenset(
+    (
+        *("join", "wait", "wait_for", "wait_until", "sleep", "sleep_for", "sleep_until", "acquire", "lock", "result"),
+        *("get", "arrive_and_wait"),
+    )
+)
+
+
+def waits(name: str) -> bool:
+    """Whether a function of a library of this name waits for others."""
+    return name.rpartition(".")[2] in _WAITING
+
+
+def _name(function: Value) -> str:
+    """The name of a function of a library; '' where it is none."""
+    if isinstance(function, Function):
+        return function.code.name if function.code.file.startswith("models:") else ""
+    return function.name if isinstance(function, (Native, External)) else ""
 
 
 def _spins(function: Value) -> bool:

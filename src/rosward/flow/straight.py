@@ -11,12 +11,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
-from rosward.flow import implicit
+from rosward.flow import frames, hidden, implicit, suspending
 from rosward.flow.body import Body
-from rosward.flow.calls import call, run_callees
+from rosward.flow.calls import call, run_callees, schedule
+from rosward.flow.constructed import attributes
 from rosward.flow.content import Content
 from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
-from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
+from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of
 from rosward.ir import ops
 from rosward.ir.registers import reads, writes
 
@@ -39,7 +40,7 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     given = run_callees(walker, op, body, seen)
     roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
     if given is not None:
-        mask |= given.mask
+        mask |= implicit.made_of(walker, seen, given).mask
         roots |= leads(seen, given)
     for register in writes(op):
         body.registers[register] = Mark(mask, roots)
@@ -130,6 +131,8 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         body.registers[op.dst] = Mark(owner.mask | body.pc, owner.roots or frozenset((FUNCTIONS,)))
         return
     memory, shape = walker.memory, walker.shape
+    if name in frames.VARIABLES and not any(map(frames.is_frame, owner.roots)):
+        walker.lost = True  # of a function that has ended
     given = run_callees(walker, op, body, seen)
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
     several = memory.apart(owner.roots)
@@ -185,8 +188,19 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
         return
     owner, value = body.registers[op.obj], body.registers[op.src]
     run_callees(walker, op, body, seen)
+    if seen.scheduled:
+        schedule(walker, seen, (value,), body.pc)
+        if not owner.roots <= walker.calling:
+            walker.calling |= owner.roots
+            walker.forget()
+        for _, entry in seen.scheduled:
+            hidden.put_into(walker, owner, entry)
     if not seen.calls:  # a generator that goes on at the end of a loop's body is no property
-        walker.memory.set_attribute(owner.roots, op.name, value.under(body.pc | demoted(owner.mask)))
+        written = value.under(body.pc | demoted(owner.mask))
+        walker.memory.set_attribute(owner.roots, op.name, written)
+        overlapping = [root for root in owner.roots if walker.shape.overlaps(root)]
+        if overlapping:
+            walker.memory.write_any(overlapping, written)
 
 
 def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None:
@@ -208,8 +222,8 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
     if op.narrowing:
         return
     owner, index, value = (body.registers[r] for r in (op.obj, op.index, op.src))
-    run_callees(walker, op, body, seen)
-    index = index.under(walker.memory.deep(index))
+    given = run_callees(walker, op, body, seen)
+    index = index.under(walker.memory.deep(index) | implicit.given_by(walker, (index,)))
     written = value.under(body.pc | demoted(owner.mask) | index.mask)
     key = constant(seen, op.index)
     if _SLICE in index.roots:
@@ -217,6 +231,8 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
         size = mask | value.mask | walker.memory.size(value.roots)
         walker.memory.take_out(owner.roots, mask)
         walker.memory.write_any(owner.roots, elements(walker, written), size)
+        if given is not None:
+            walker.memory.write_any(owner.roots, implicit.made_of(walker, seen, given), given.mask)
     elif key is None:
         walker.memory.write_any(owner.roots, written, index.mask | body.pc | demoted(owner.mask))
     else:
@@ -247,6 +263,12 @@ def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
     root: Root = walker.shape.made(body.activation, op.number, "", "tuple")
     places: list[Root] = [*seen.refs] if op.kind != "tuple" else [root]
     size, slots, rest = body.pc, dict[object, Mark](), NOTHING
+    given = run_callees(walker, op, body, seen)
+    if given is not None:  # methods say what is spread
+        rest = implicit.gone_through(walker, given)
+        size |= rest.mask
+    if walker.implicit and op.kind in ("set", "dict"):  # which of them are equal
+        size |= implicit.given_by(walker, [body.registers[r] for _, r in op.items])
     pending: int | None = None
     for number, (starred, register) in enumerate(op.items):
         mark = body.registers[register].under(body.pc)
@@ -282,6 +304,8 @@ def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
 def _unpack(walker: Walker, op: ops.Unpack, body: Body, seen: Seen) -> None:
     source = body.registers[op.src]
     given = run_callees(walker, op, body, seen)
+    if given is not None:
+        given = implicit.gone_through(walker, given)
     for number, register in enumerate(op.dsts):
         if op.star == ops.NO_REGISTER or number < op.star:
             found = walker.memory.read(source.roots, number)
@@ -304,32 +328,11 @@ def _make_function(walker: Walker, op: ops.MakeFunction, body: Body, _seen: Seen
     body.registers[op.dst] = Mark(mask)
 
 
-def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
-    value = body.registers[op.src].under(body.pc)
-    if op.many:
-        value = elements(walker, value).under(body.pc)
-        given = run_callees(walker, op, body, seen)
-        value = value if given is None else value.joined(given)
-    key = body.activation.code.key
-    walker.memory.write_any([("generator", key)], value)
-    thrown = walker.memory.of(("thrown", key)).any
-    if walker.attempts and thrown != NOTHING:
-        walker.attempts[-1].raises(thrown, walker.memory.deep(thrown))
-    body.leave(walker.memory)  # others go on from here, before the rest of it runs
-    given = walker.memory.of(("sent", key)).any.under(body.pc)
-    body.registers[op.dst] = given.joined(value) if op.many else given  # `yield from` gives what the other one returns
-
-
-def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
-    given = run_callees(walker, op, body, seen)
-    awaited = body.registers[op.src]
-    for root in awaited.roots:
-        if not isinstance(root, int) and root[0] == "generator":
-            found = run(walker, root, awaited.mask)
-            given = found if given is None else given.joined(found)
-    if given is None:
-        given = Mark(walker.memory.deep(awaited), frozenset(seen.refs))
-    body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, leads(seen, given))
+def _make_class(walker: Walker, op: ops.MakeClass, body: Body, seen: Seen) -> None:
+    plain(walker, op, body, seen)
+    prepared = run_callees(walker, op, body, seen, ("__prepare__",))
+    if prepared is not None:
+        attributes(walker.memory, frozenset(seen.refs), prepared, body.pc)
 
 
 def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> None:
@@ -342,11 +345,14 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
         )
     elif op.name == "getattr":
         found = walker.memory.read_all(registers[0].roots)
+        given = run_callees(walker, op, body, seen)
+        found = found if given is None else found.joined(given)
         body.registers[op.dst] = Mark(found.mask | registers[0].mask | body.pc, leads(seen, found))
         return
     elif op.name in ("isinstance", "hasattr", "is_sequence", "is_mapping", "length_is", "length_at_least"):
         mask = body.pc | registers[0].mask | walker.memory.size(registers[0].roots)
-        body.registers[op.dst] = Mark(mask)
+        given = run_callees(walker, op, body, seen)
+        body.registers[op.dst] = Mark(mask if given is None else mask | given.mask)
         return
     plain(walker, op, body, seen)
     if op.name == "slice":
@@ -374,8 +380,8 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.Build: _build,
     ops.Unpack: _unpack,
     ops.MakeFunction: _make_function,
-    ops.Yield: _yield,
-    ops.Await: _await,
+    ops.MakeClass: _make_class,
+    **suspending.TABLE,
     ops.Intrinsic: _intrinsic,
     ops.Call: call,
 }

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
+from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import Activation, Seen
 from rosward.engine.watch import is_of_program
 from rosward.flow.body import Attempt, Body, Point, here
@@ -25,7 +26,7 @@ from rosward.flow.tracker import KeySets, Tracker
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.program import CPP
-from rosward.ir.registers import reads
+from rosward.ir.registers import reads, writes
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -78,7 +79,14 @@ class Walker:
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
         self.callbacks: dict[Scheduled, Mark] = {}  # as each was registered
         self.handed: dict[Scheduled, tuple[str, ...]] = {}  # the classes of what a library calls each with
+        self.followed = shape.followed()  # special methods that the interpretation follows, with their classes
         self.implicit: set[int] = set()  # the classes of which Python has called special methods by itself
+        self.writing: set[int] = set()  # those of which such methods write to other objects
+        self.calling: set[Root] = set()  # objects of libraries to which functions of the program were handed
+        self.logs = False  # handlers of the program get what is logged
+        self.put_into: dict[
+            Scheduled, str
+        ] = {}  # the modules of libraries into which functions of the program were put
         self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
@@ -124,7 +132,7 @@ class Walker:
             if not known.alive and op.__class__ not in STRUCTURED:
                 return False
             if self.attempts:
-                self._may_fail()
+                self._may_fail(op)
         return True
 
     def close(self) -> None:
@@ -142,13 +150,15 @@ class Walker:
         if attempt.handles:
             attempt.body.pc |= demoted(attempt.mask)
 
-    def _may_fail(self) -> None:
-        """What has been written so far is what a handler may find."""
+    def _may_fail(self, op: ops.Op) -> None:
+        """What an operation has written is what a handler may find."""
         attempt = self.attempts[-1]
         if attempt.body is self.bodies[-1]:
-            known = attempt.point.registers
-            for number in range(len(attempt.body.activation.code.variables)):
-                known[number] = known[number].joined(attempt.body.registers[number])
+            known, now = attempt.point.registers, attempt.body.registers
+            for number in (
+                range(len(attempt.body.activation.code.variables)) if op.__class__ in STRUCTURED else writes(op)
+            ):
+                known[number] = known[number].joined(now[number])
 
     def bodies_of(self, seen: Seen) -> dict[str, list[Activation]]:
         """The bodies that an operation runs, by their keys.
@@ -177,20 +187,20 @@ class Walker:
         self.callbacks[entry] = callback.joined(before[2] or NOTHING)
         if before != (self.registered[entry], self.given[entry], self.callbacks[entry]):
             self.changed = True
+        if entry.event in (BY_LIBRARY, "thread"):
+            self.meet_callbacks()
 
     def give_back(self, entry: Scheduled, mask: int) -> None:
         """What a function returns that a library calls depends on this: whatever the library makes of it may."""
         old = self.returned.get(entry, 0)
         if old | mask != old:
             self.returned[entry] = old | mask
-            self.changed = True
+            self.forget()
 
-    def call_implicitly(self, cls: int) -> None:
-        """Python has called a special method of a class by itself: what is made of its objects may depend on that."""
-        if cls not in self.implicit:
-            self.implicit.add(cls)
-            self._remembered.clear()
-            self.changed = True
+    def forget(self) -> None:
+        """What is remembered of calls may not hold any more."""
+        self._remembered.clear()
+        self.changed = True
 
     def send(self, sink: Sink, mask: int) -> None:
         """Something leaves the process."""
@@ -228,9 +238,9 @@ class Walker:
         """Whether so much was walked through that functions of libraries are taken as a whole."""
         return self.shape.spent > _CALM
 
-    def interleave(self) -> None:
-        """Another thread may have run: what callbacks write may stand here."""
-        if self.threaded:
+    def meet_callbacks(self) -> None:
+        """A callback may have run that was handed to somebody: in the main body, those of ROS have not."""
+        if self.event != (Source("main"),):
             self.join_beside()
 
     def join_beside(self) -> None:
@@ -263,7 +273,12 @@ class Walker:
     def go(self, body: Body, point: Point) -> None:
         """Go on from a point (which is used up)."""
         body.registers = point.registers
-        self.memory = point.memory.current()
+        self._stand(point.memory)
+
+    def _stand(self, memory: Memory) -> None:
+        """Control goes on with this, wherever it comes from: what is written is noted for the innermost `try` that is running now."""
+        self.memory = memory.current()
+        self.memory.log = self.attempts[-1].log if self.attempts else None
 
     def enter(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Walk through a body: what it returns. One that is running already returns what it is known to, so far."""
@@ -343,7 +358,9 @@ class Walker:
         if body.returned is not None:
             if alive:
                 body.returned.join(self.memory)
-            self.memory = body.returned.current()
+            self._stand(body.returned)
+        for cls in self.followed.get(code.key, ()):
+            self.memory.write_any([("followed", cls)], Mark(self.memory.deep(body.result)))
         old = self.results.get(activation)
         new = body.result if old is None else old.joined(body.result)
         if new is not old:

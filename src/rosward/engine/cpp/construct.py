@@ -148,6 +148,14 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
     cls = info.cls  # what is named in its own bases is not whole
     if len(args) == 1 and isinstance(args[0], Tuple) and form != "paren" and not takes_list(machine, info):
         args = args[0].items
+    elif (
+        args
+        and form == "brace"
+        and not _is_list(args)
+        and takes_list(machine, info)
+        and not _is_one_of(machine, args, cls)
+    ):
+        args = (Tuple(args),)
     of_functions = visitors.visitor(machine, info, args)
     if of_functions is not None:
         return of_functions
@@ -167,6 +175,11 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         return UNBOUND
     handing.watch(machine, cls, ref)
     return ref
+
+
+def _is_one_of(machine: Engine, args: tuple[Value, ...], cls: Class) -> bool:
+    """Whether braces hold nothing but an object of the class: it is copied."""
+    return len(args) == 1 and _is_one(machine, args[0], cls)
 
 
 def make_of_anything(machine: Engine, cls: Class, keywords: Mapping[str, Value]) -> Value:

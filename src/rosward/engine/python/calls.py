@@ -25,6 +25,7 @@ from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.throwing import note, note_call
 from rosward.ir.ops import Argument
+from rosward.models.python.containers.dicts import is_mapping
 from rosward.models.python.contents import bare
 from rosward.models.python.exceptions import is_exception
 
@@ -68,6 +69,8 @@ def _spread(machine: Engine, value: Value, keywords: Keywords) -> list[Value]:
     tables: list[Keywords] = []
     unsure: set[str] = set()
     for option in options(bare(machine, value)):
+        if is_mapping(machine, option):
+            option = machine.call_native("builtins.dict", (option,))  # noqa: PLW2901 - what it says that it holds
         if option.__class__ is Ref and machine.obj(option).kind == "dict":
             obj = machine.obj(option)
             table: Keywords = {}

@@ -58,6 +58,7 @@ class RawConfigParser:
         self._allows = allow_no_value
         self._known = {default_section: {}}
         self._open = False
+        self._texts = []
         for name in defaults or {}:
             self._known[default_section][self.optionxform(name)] = defaults[name]
     def optionxform(self, optionstr):
@@ -66,6 +67,7 @@ class RawConfigParser:
         found = _sections(text, self._allows)
         if found is None:
             self._open = True
+            self._texts.append(text)
         else:
             for section, name, value in found:
                 if section not in self._known:

@@ -18,15 +18,20 @@ class JSONDecodeError(ValueError):
 @sink("file")
 def dump(obj, fp, *, skipkeys=False, ensure_ascii=True, check_circular=True, allow_nan=True, cls=None, indent=None, separators=None,
          default=None, sort_keys=False, **kw):
-    json.dumps(obj, cls=cls, default=default)
+    text = json.dumps(obj, cls=cls, default=default)
     ask(fp, 'write', unknown('call', 'text that a library writes', 'str'))
 
 class JSONEncoder:
     def __init__(self, *, skipkeys=False, ensure_ascii=True, check_circular=True, allow_nan=True, sort_keys=False, indent=None,
-                 separators=None, default=None): ...
+                 separators=None, default=None):
+        if default is not None:
+            self.default = default
     def default(self, o): ...
     def encode(self, o) -> str: ...
 class JSONDecoder:
-    def __init__(self, *, object_hook=None, parse_float=None, parse_int=None, parse_constant=None, strict=True, object_pairs_hook=None): ...
+    def __init__(self, *, object_hook=None, parse_float=None, parse_int=None, parse_constant=None, strict=True, object_pairs_hook=None):
+        self._hooks = (object_hook, parse_float, parse_int, parse_constant, object_pairs_hook)
     def decode(self, s, _w=None):
-        return json.loads(s)
+        object_hook, parse_float, parse_int, parse_constant, object_pairs_hook = self._hooks
+        return json.loads(s, object_hook=object_hook, parse_float=parse_float, parse_int=parse_int, parse_constant=parse_constant,
+                          object_pairs_hook=object_pairs_hook)

@@ -128,7 +128,12 @@ raiseExceptions = True
 
 def getLogger(name=None):
     return root if name is None else Logger(name)
-def basicConfig(**kwargs) -> None: ...
+def basicConfig(**kwargs):
+    stream = kwargs.get('stream')
+    if stream is not None:
+        StreamHandler(stream)
+    for handler in kwargs.get('handlers') or ():
+        root.addHandler(handler)
 def captureWarnings(capture) -> None: ...
 def disable(level=CRITICAL) -> None: ...
 def shutdown(handlerList=None) -> None: ...

@@ -23,6 +23,45 @@ def indexOf(a, b, /) -> int: ...
 def iadd(a, b, /):
     a += b
     return a
+def iconcat(a, b, /):
+    a += b
+    return a
+def isub(a, b, /):
+    a -= b
+    return a
+def imul(a, b, /):
+    a *= b
+    return a
+def itruediv(a, b, /):
+    a /= b
+    return a
+def ifloordiv(a, b, /):
+    a //= b
+    return a
+def imod(a, b, /):
+    a %= b
+    return a
+def ipow(a, b, /):
+    a **= b
+    return a
+def imatmul(a, b, /):
+    a @= b
+    return a
+def iand(a, b, /):
+    a &= b
+    return a
+def ior(a, b, /):
+    a |= b
+    return a
+def ixor(a, b, /):
+    a ^= b
+    return a
+def ilshift(a, b, /):
+    a <<= b
+    return a
+def irshift(a, b, /):
+    a >>= b
+    return a
 
 class itemgetter:
     def __init__(self, item, /, *items):

@@ -6,7 +6,7 @@ from _rosward import ask, reads_only, unknown
 reads_only(__name__)
 
 def print_exc(limit=None, file=None, chain=True):
-    ask(file, 'write', unknown('call', 'text that a library writes', 'str'))
+    ask(file, 'write', format_exc())
 def format_exc(limit=None, chain=True) -> str: ...
 def print_exception(exc, /, value=None, tb=None, limit=None, file=None, chain=True, **kwargs):
     ask(file, 'write', unknown('call', 'text that a library writes', 'str'))

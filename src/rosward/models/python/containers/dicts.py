@@ -270,7 +270,7 @@ def merge(machine: Machine, ref: Ref, source: Value, weak: bool = False) -> None
             anywhere = other.rest_key or unknown_from(machine, "key", "", other.rest)
             store(machine, ref, anywhere, other.rest, weak=True)
         return
-    if isinstance(source, Ref) and machine.obj(source).kind == "instance" and _has_keys(machine, source):
+    if isinstance(source, Ref) and is_mapping(machine, source):
         found = machine.iterate(machine.call(machine.load_attr(source, "keys"), ()))
         for key in all_of(found):
             store(machine, ref, key, machine.load_item(source, key), weak or key is found.rest)
@@ -283,9 +283,11 @@ def merge(machine: Machine, ref: Ref, source: Value, weak: bool = False) -> None
             _merge_pair(machine, ref, option, weak=True)
 
 
-def _has_keys(machine: Machine, ref: Ref) -> bool:
-    """Whether an object is a mapping, as `dict` sees it: it has a method `keys`."""
-    cls = machine.obj(ref).cls
+def is_mapping(machine: Machine, value: Value) -> bool:
+    """Whether a value is an object of a class that is a mapping, as `dict` and `**` see it: it has a method `keys`."""
+    if value.__class__ is not Ref or machine.obj(value).kind != "instance":
+        return False
+    cls = machine.obj(value).cls
     bases = cls.mro if isinstance(cls, Class) else ()
     return any("keys" in machine.obj(Ref(b.address)).attrs for b in bases if isinstance(b, Class))
 

@@ -25,7 +25,14 @@ class Future:
             return self._result if self._result is not None else unknown('live', 'concurrent.futures.Future.result')
         return self._call()
     def exception(self, timeout=None):
-        return self._exception if self._exception is not None else unknown('live', 'concurrent.futures.Future.exception')
+        if self._exception is not None:
+            return self._exception
+        if self._call is not None:
+            try:
+                self._call()
+            except BaseException as error:
+                return error
+        return unknown('live', 'concurrent.futures.Future.exception')
     def add_done_callback(self, fn):
         schedule(fn, self, event='future')
     def set_result(self, result):

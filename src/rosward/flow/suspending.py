@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Operations at which a function stops and others go on: `yield`, `yield from`, `await`.
+
+x = yield y      y is among what the generator gives, x what `send` was given
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.flow import implicit
+from rosward.flow.body import Body
+from rosward.flow.calls import run_callees
+from rosward.flow.marks import NOTHING, Mark
+from rosward.flow.reading import elements, leads, run
+from rosward.ir import ops
+
+if TYPE_CHECKING:
+    from rosward.engine.seen import Seen
+    from rosward.flow.walker import Walker
+
+
+def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
+    value = body.registers[op.src].under(body.pc)
+    if op.many:
+        value = elements(walker, value).under(body.pc)
+        given = run_callees(walker, op, body, seen)
+        value = value if given is None else value.joined(implicit.gone_through(walker, given))
+    key = body.activation.code.key
+    walker.memory.write_any([("generator", key)], value)
+    thrown = walker.memory.of(("thrown", key)).any
+    if walker.attempts and thrown != NOTHING:
+        walker.attempts[-1].raises(thrown, walker.memory.deep(thrown))
+    body.leave(walker.memory)  # others go on from here, before the rest of it runs
+    given = walker.memory.of(("sent", key)).any.under(body.pc)
+    body.registers[op.dst] = given.joined(value) if op.many else given  # `yield from` gives what the other one returns
+
+
+def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
+    given = run_callees(walker, op, body, seen)
+    awaited = body.registers[op.src]
+    for root in awaited.roots:
+        if not isinstance(root, int) and root[0] == "generator":
+            found = run(walker, root, awaited.mask)
+            given = found if given is None else given.joined(found)
+    if given is None:
+        given = Mark(walker.memory.deep(awaited), frozenset(seen.refs))
+    body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, leads(seen, given))
+
+
+TABLE: Final[dict[type[ops.Op], Any]] = {ops.Yield: _yield, ops.Await: _await}
