@@ -179,7 +179,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
 
 def _is_one_of(machine: Engine, args: tuple[Value, ...], cls: Class) -> bool:
     """Whether braces hold nothing but an object of the class: it is copied."""
-    return len(args) == 1 and _is_one(machine, args[0], cls)
+    return len(args) == 1 and is_one(machine, args[0], cls)
 
 
 def make_of_anything(machine: Engine, cls: Class, keywords: Mapping[str, Value]) -> Value:
