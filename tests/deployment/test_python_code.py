@@ -501,7 +501,7 @@ def test_conditions(text: str, tmp_path: Path) -> None:
         """,
     )
     launch = Launch(values(robot="r2"))
-    (action,) = files.read(launch).actions
+    action, *_ = files.read(launch).actions
     assert isinstance(action, Opaque)
     answer = files.python.test(action.args[0], launch)
     assert (str(answer.value) if isinstance(answer, Const) else "*") == ANSWERS[text]
