@@ -99,8 +99,8 @@ class Code:
         assert isinstance(function, Const)
         return tuple(self.functions[str(function.value)](performer, kwargs))
 
-    def appended(self, place: Place, performer: Performer) -> tuple[LaunchAction, ...]:  # noqa: ARG002
-        return ()
+    def appended(self, function: Value, performer: Performer) -> Mapping[Value, tuple[LaunchAction, ...]]:  # noqa: ARG002
+        return {}
 
     def perform(self, substitution: Value, performer: Performer) -> Value:  # noqa: ARG002
         return substitution

@@ -15,6 +15,7 @@ from textwrap import dedent
 from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.python.code import LaunchPython
 from rosward.deployment.tree import (
+    Added,
     Condition,
     Description,
     LaunchAction,
@@ -134,8 +135,10 @@ class Files:
         return "\n".join([*lines, *(f"{f.code}: {f.message}" for f in self.python.findings)])
 
     def lines(self, actions: Sequence[LaunchAction], launch: Launch, indent: str) -> Iterator[str]:
-        """Actions as lines; below a function stands what it gives."""
+        """Actions as lines, but for the ends of launch descriptions; below a function stands what it gives."""
         for action in actions:
+            if isinstance(action, Added):
+                continue
             yield indent + " ".join([type(action).__name__, *_fields(action)])
             inner: list[LaunchAction] = []
             for name in ("actions", "body", "on_exit", "components"):

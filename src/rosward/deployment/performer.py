@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from rosward.deployment.tree import Description, LaunchAction, Template
     from rosward.domain.values import Value
     from rosward.findings import Finding
-    from rosward.source.location import Place
 
 
 class Performer(LaunchSettings, Protocol):
@@ -46,8 +45,8 @@ class PythonCode(Protocol):
     ) -> tuple[LaunchAction, ...]:
         """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
 
-    def appended(self, place: Place, performer: Performer) -> tuple[LaunchAction, ...]:
-        """The actions that functions have added to launch descriptions since these were read."""
+    def appended(self, function: Value, performer: Performer) -> Mapping[Value, tuple[LaunchAction, ...]]:
+        """The actions that a function, which was called, has added to launch descriptions, by description."""
 
     def perform(self, substitution: Value, performer: Performer) -> Value:
         """`substitution.perform(context)` of a class of the analysed sources: a text."""

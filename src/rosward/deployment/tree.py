@@ -327,6 +327,14 @@ class Opaque(LaunchAction):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Added(LaunchAction):
+    """The end of a launch description: what functions have added to it (`description`) while launch went through it comes here."""
+
+    description: Value
+
+
+@final
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ForEach(LaunchAction):
     """ForEach and ForLoop. `values`: rows `{name: value, …};…` of YAML as text (ForEach), or (`count`) a number of turns (ForLoop).
 

@@ -147,6 +147,7 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
         if seen.refs:  # C++: the interpretation has seen which
             item = Mark(item.mask, frozenset(seen.refs) | opaque(item))
         body.registers[op.item] = item.under(body.pc)
+        walker.wrote(body, (op.item,))
         return True
 
     def test() -> int:
@@ -217,9 +218,10 @@ def _try(walker: Walker, block: ops.Block, body: Body, *, handles: bool = False)
     finally:
         walker.attempts.pop()
         tried.end(walker.memory)
+    # Nobody knows whether what left it is caught.
     if walker.attempts:
-        walker.attempts[-1].mask |= tried.mask
-    if tried.raised is not NOTHING:  # nobody knows whether it is caught
+        walker.attempts[-1].contains(tried)
+    if tried.raised is not NOTHING:
         _raises(walker, tried.raised)
     return alive, tried
 
@@ -287,6 +289,7 @@ def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
     if op.bind != ops.NO_REGISTER:
         given = context if entered is None else entered
         body.registers[op.bind] = Mark(given.mask | body.pc, given.roots | frozenset(seen.refs))
+        walker.wrote(body, (op.bind,))
     outside = body.pc
     alive, tried = _try(walker, op.body, body, handles=seen.swallows)
     if seen.swallows:

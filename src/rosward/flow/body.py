@@ -71,6 +71,14 @@ class Attempt:
         self.raised = self.raised.joined(raised)
         self.mask |= mask
 
+    def contains(self, inner: Attempt) -> None:
+        """A `try` in the body was left, wherever in it: what stood in the variables then, a handler of this one may find, too."""
+        self.mask |= inner.mask
+        if inner.body is self.body:
+            ours = self.point.registers
+            for number, mark in enumerate(inner.point.registers):
+                ours[number] = ours[number].joined(mark)
+
     def end(self, memory: Memory) -> None:
         """The body has come to its end, or left: a handler may find whatever was written in it."""
         memory.log = self.outer

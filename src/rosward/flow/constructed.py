@@ -37,7 +37,7 @@ def construct(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[
     for argument, mark in zip(op.arguments, marks, strict=True):
         written = mark.under(body.pc)
         if argument.kind == "keyword":
-            walker.memory.write(roots, argument.name, written)
+            walker.memory.set_attribute(roots, argument.name, written)
         elif argument.kind == "positional" and 0 <= number < len(names):
             walker.memory.write(roots, names[number], written)
             number += 1

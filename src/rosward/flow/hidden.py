@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Value
 from rosward.engine.seen import refs_of
-from rosward.flow.marks import Mark, Root
+from rosward.flow.marks import HANDLED, Mark, Root
 
 if TYPE_CHECKING:
     from rosward.engine.scheduled import Scheduled
@@ -33,6 +33,8 @@ def keep(walker: Walker, name: str, mask: int) -> None:
     """A function of a library of this dotted name has got this."""
     module = name.partition(".")[0]
     is_told = module in walker.put_into.values()
+    if module == "logging" and walker.logs:  # a record has the exception, too
+        mask |= walker.memory.deep(walker.memory.of(HANDLED).whole)
     if module in _KEEPING or is_told:
         walker.memory.write_any((_kept(module),), Mark(mask))
         if walker.logs or is_told:

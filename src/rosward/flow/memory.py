@@ -189,10 +189,13 @@ class Memory(Standing):
         self.write_each(roots, {key: mark})
 
     def set_attribute(self, roots: frozenset[Root], name: str, mark: Mark) -> None:
-        """The same for an attribute, also of a function: these are told apart by their names alone."""
+        """The same for an attribute, also of a function: these are told apart by their names alone. In a union, others change with it."""
         if not roots:
             mark = mark.joined(self.read((FUNCTIONS,), name))
         self.write(roots or frozenset((FUNCTIONS,)), name, mark)
+        overlapping = [root for root in roots if self.shape.overlaps(root)]
+        if overlapping:
+            self.write_any(overlapping, mark)
 
     def write_each(
         self, roots: frozenset[Root], marks: Mapping[object, Mark], perhaps: Collection[object] = ()

@@ -196,11 +196,7 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
         for _, entry in seen.scheduled:
             hidden.put_into(walker, owner, entry)
     if not seen.calls:  # a generator that goes on at the end of a loop's body is no property
-        written = value.under(body.pc | demoted(owner.mask))
-        walker.memory.set_attribute(owner.roots, op.name, written)
-        overlapping = [root for root in owner.roots if walker.shape.overlaps(root)]
-        if overlapping:
-            walker.memory.write_any(overlapping, written)
+        walker.memory.set_attribute(owner.roots, op.name, value.under(body.pc | demoted(owner.mask)))
 
 
 def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None:

@@ -7,7 +7,7 @@ value depends on. Straight operations are in `straight.py`, calls in `calls.py`,
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
@@ -132,7 +132,8 @@ class Walker:
             if not known.alive and op.__class__ not in STRUCTURED:
                 return False
             if self.attempts:
-                self._may_fail(op)
+                structured = op.__class__ in STRUCTURED
+                self.wrote(body, range(len(activation.code.variables)) if structured else writes(op))
         return True
 
     def close(self) -> None:
@@ -150,14 +151,12 @@ class Walker:
         if attempt.handles:
             attempt.body.pc |= demoted(attempt.mask)
 
-    def _may_fail(self, op: ops.Op) -> None:
-        """What an operation has written is what a handler may find."""
-        attempt = self.attempts[-1]
-        if attempt.body is self.bodies[-1]:
-            known, now = attempt.point.registers, attempt.body.registers
-            for number in (
-                range(len(attempt.body.activation.code.variables)) if op.__class__ in STRUCTURED else writes(op)
-            ):
+    def wrote(self, body: Body, registers: Iterable[int]) -> None:
+        """What stands in registers is what a handler around may find there."""
+        attempt = self.attempts[-1] if self.attempts else None
+        if attempt is not None and attempt.body is body:
+            known, now = attempt.point.registers, body.registers
+            for number in registers:
                 known[number] = known[number].joined(now[number])
 
     def bodies_of(self, seen: Seen) -> dict[str, list[Activation]]:

@@ -59,14 +59,15 @@ class RunningLaunch:
         self._budget = budget
         self._agenda = Agenda()
         self._containers: dict[tuple[Place, object, object], Value] = {}
-        self._calls = 0  # of functions of launch files
+        self._added: dict[Value, list[tuple[tuple[tree.LaunchAction, ...], tuple[str, ...]]]] = {}
+        """What functions have added to launch descriptions, and why it is open whether these ran."""
 
     def run(self, file: str, path: Value, at: At) -> None:
         """Execute a launch file, and then what waits for timers and events."""
         self.scene.context.files = (path,)
         description = self._descriptions.read(file, "any", self.scene)
         if description is not None:
-            self._walk_description(description.actions, Place(file), at)
+            self.walk(description.actions, at)
         later = self._agenda.next()
         while later is not None:
             self._fire(later)
@@ -86,13 +87,19 @@ class RunningLaunch:
             else:
                 self._agenda.see_inside(action)
 
-    def _walk_description(self, actions: Sequence[tree.LaunchAction], place: Place, at: At) -> None:
-        """Execute the actions of a launch description, and then those that functions among them have added to it meanwhile."""
-        called = self._calls
-        self.walk(actions, at)
-        while self._calls > called:
-            called = self._calls
-            self.walk(self.scene.python.appended(place, self.scene), at)
+    def _add(self, description: Value, at: At) -> None:
+        """Execute what functions have added to a launch description, which may add more; where it is open whether they ran, perhaps."""
+        while added := self._added.pop(description, None):
+            for actions, why in added:
+                unsure = at
+                for each in why:
+                    unsure = unsure.maybe(each)
+                if unsure == at:
+                    self.walk(actions, at)
+                else:
+                    saved = self.scene.context.save()
+                    self.walk(actions, unsure)
+                    self.scene.context.join(saved)
 
     def _by(self, verdict: Truth, execute: Callable[[At], None], at: At) -> None:
         """Execute, or where that is open, join the state behind with the state before."""
@@ -142,7 +149,10 @@ class RunningLaunch:
         elif isinstance(action, (tree.Timer, tree.OnEvent)):
             self._wait(action, inner)
         elif isinstance(action, tree.Opaque):
-            self.walk(self._called(action.function, action.args, dict(action.kwargs), context=True), inner)
+            given = action.args, dict(action.kwargs)
+            self.walk(self._called(action.function, *given, inner, context=True), inner)
+        elif isinstance(action, tree.Added):
+            self._add(action.description, at)
         elif isinstance(action, tree.ForEach):
             self._loop(action, inner)
         elif isinstance(action, tree.Unread):
@@ -152,10 +162,13 @@ class RunningLaunch:
             raise TypeError(f"a {type(action).__name__} has no execution")
 
     def _called(
-        self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], *, context: bool
+        self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], at: At, *, context: bool
     ) -> tuple[tree.LaunchAction, ...]:
-        self._calls += 1
-        return self.scene.python.actions(function, args, kwargs, self.scene, context=context)
+        """The actions that a function gives; those that it adds to launch descriptions wait for the ends of these."""
+        found = self.scene.python.actions(function, args, kwargs, self.scene, context=context)
+        for description, actions in self.scene.python.appended(function, self.scene).items():
+            self._added.setdefault(description, []).append((actions, at.why))
+        return found
 
     # What starts something
 
@@ -250,7 +263,7 @@ class RunningLaunch:
         inner = at._replace(trail=(*at.trail, Inclusion(action.place, "", self._budget.left)))
         if action.path is None:
             self._set_arguments(action)
-            self._walk_description(action.body, action.place, inner)
+            self.walk(action.body, inner)
             return
         paths = options(self.scene.text(action.path))
         for path in paths:
@@ -268,7 +281,7 @@ class RunningLaunch:
         self.scene.context.files = (normal_path(path),)
         self._set_arguments(action)
         if description is not None and file is not None:
-            self._walk_description(description.actions, Place(file), at.inside(file))
+            self.walk(description.actions, at.inside(file))
 
     def _set_arguments(self, action: tree.Include) -> None:
         for name, value in action.arguments:
@@ -285,7 +298,7 @@ class RunningLaunch:
         self.scene.turn = {**self.scene.turn, **turn.variables}
         if action.function is not None:
             named = dict.fromkeys("i", *turn.variables.values()) if action.count else turn.variables
-            self.walk(self._called(action.function, (), named, context=False), at)
+            self.walk(self._called(action.function, (), named, at, context=False), at)
         self.walk(action.body, at)
 
     # What waits
@@ -309,7 +322,7 @@ class RunningLaunch:
             event = Unknown((Reason(Cause.LIVE, "event", later.place),))
             alone = later.at.event == "process-io"  # the one handler that is not given the context
             function = later.function if alone else Partial(later.function, (event,), ())
-            self.walk(self._called(function, (event,) if alone else (), {}, context=not alone), at)
+            self.walk(self._called(function, (event,) if alone else (), {}, at, context=not alone), at)
 
 
 def _key(node: tree.StartNode) -> tuple[Place, object, object]:

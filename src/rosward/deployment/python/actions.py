@@ -17,6 +17,7 @@ from rosward.deployment.python.objects import Objects, SequenceItem, why_unknown
 from rosward.deployment.python.parameters import ParameterReader
 from rosward.deployment.python.substitutions import Texts
 from rosward.deployment.tree import (
+    Added,
     Declare,
     Environ,
     ForEach,
@@ -95,6 +96,7 @@ class Actions:
             "launch_ros.actions.SetParametersFromFile": self._set_parameter,
         }
         self._descriptions: dict[Ref, set[Value]] = {}  # the launch descriptions that were read, with their entities
+        self._functions = 0  # how many functions that launch calls were read
         self._open: list[Ref] = []
         self._count = 0  # how many objects were read since the outermost of them
 
@@ -107,19 +109,29 @@ class Actions:
             found += self._element(element, place)
         return _together(found)
 
-    def watch(self, descriptions: Iterable[Value]) -> None:
-        """Launch descriptions whose entities are read now, by whoever asks for this."""
-        for description in descriptions:
-            if isinstance(description, Ref):
-                self._unread(description)
+    def one_of(self, descriptions: Iterable[Value], place: Place) -> tuple[LaunchAction, ...]:
+        """The actions of one of several launch descriptions: what all have in common is surely there."""
+        refs = [d for d in descriptions if isinstance(d, Ref)]
+        return self._described(refs, join_all(self.objects.machine.load_attr(d, "entities") for d in refs), place)
 
-    def appended(self, place: Place) -> tuple[LaunchAction, ...]:
-        """The actions that were added to launch descriptions since they were read: launch, which goes through the list, comes to them."""
-        found: list[LaunchAction] = []
+    def _described(self, descriptions: Iterable[Ref], entities: Value, place: Place) -> tuple[LaunchAction, ...]:
+        """The actions of launch descriptions, behind them what functions among them add."""
+        for description in descriptions:
+            self._unread(description)
+        before = self._functions
+        found = self.entities(entities, place)
+        if self._functions == before:
+            return found
+        return (*found, *(Added(place=place, description=d) for d in descriptions))
+
+    def appended(self, place: Place) -> dict[Value, tuple[LaunchAction, ...]]:
+        """What was added to each launch description since it was read: launch, which goes through the list, comes to it."""
+        found: dict[Value, tuple[LaunchAction, ...]] = {}
         for description in list(self._descriptions):
-            for element in self._unread(description):
-                found += self._element(element, place)
-        return _together(found)
+            added = [a for element in self._unread(description) for a in self._element(element, place)]
+            if added:
+                found[description] = _together(added)
+        return found
 
     def _unread(self, description: Ref) -> list[SequenceItem]:
         """The entities of a launch description that were not read yet."""
@@ -178,8 +190,7 @@ class Actions:
         made = objects.place(ref)
         here = made if made.file else place
         if kind == _DESCRIPTION:
-            self._unread(ref)
-            return self.entities(objects.machine.load_attr(ref, "entities"), here)
+            return self._described((ref,), objects.machine.load_attr(ref, "entities"), here)
         if kind == _UNCHANGED:
             inner = objects.field(ref, "action")
             return self._as_modelled(inner, here) if isinstance(inner, Ref) else ()
@@ -187,6 +198,7 @@ class Actions:
             if kind and objects.overrides(ref, method):
                 condition = self.texts.condition(objects.field(ref, "condition"), here)
                 function = objects.machine.load_attr(ref, method)
+                self._functions += 1
                 return (Opaque(place=here, condition=condition, identity=ref, function=function),)
         return self._as_modelled(ref, here)
 
@@ -298,6 +310,7 @@ class Actions:
             return (Unread(place=given["place"], why="OpaqueFunction without a function"),)
         args = self.objects.elements(self.objects.field(ref, "args") or NONE)
         kwargs = self.objects.field(ref, "kwargs")
+        self._functions += 1
         named: list[tuple[str, Value]] = []
         if isinstance(kwargs, Ref) and self.objects.is_dict(kwargs):
             entries = self.objects.machine.obj(kwargs).entries

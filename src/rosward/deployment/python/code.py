@@ -113,8 +113,7 @@ class LaunchPython:
                 self._tell("RW320", f"{_GENERATE}() does not return a LaunchDescription", here)
         if len(options(value)) > 1 and all(self._objects.is_a(o, _DESCRIPTION) for o in options(value)):
             # An early return: what all descriptions have in common is surely there.
-            self._read.watch(options(value))
-            value = join_all(machine.load_attr(o, "entities") for o in options(value))
+            return self._read.one_of(options(value), here)
         return self._read.entities(value, here)
 
     def actions(
@@ -140,14 +139,15 @@ class LaunchPython:
             self._limit(limit, place)
             return (Unread(place=place, why=limit.what),)
 
-    def appended(self, place: Place, performer: Performer) -> tuple[LaunchAction, ...]:
-        """The actions that functions have added to launch descriptions since these were read."""
+    def appended(self, function: Value, performer: Performer) -> Mapping[Value, tuple[LaunchAction, ...]]:
+        """The actions that a function, which was called, has added to launch descriptions, by description."""
+        place = self._place(function)
         try:
             with self._running(performer, place):
                 return self._read.appended(place)
         except LimitReachedError as limit:
             self._limit(limit, place)
-            return (Unread(place=place, why=limit.what),)
+            return {}
 
     def perform(self, substitution: Value, performer: Performer) -> Value:
         """`substitution.perform(context)` of a class of the analysed sources; also one of several substitutions: a text."""

@@ -16,8 +16,7 @@ FATAL = 50
 
 class Filterer:
     def addFilter(self, filter):
-        if callable(filter):
-            schedule(filter, LogRecord(), event='log')
+        schedule(filter if callable(filter) else filter.filter, LogRecord(), event='log')
     def removeFilter(self, filter) -> None: ...
     def filter(self, record) -> bool: ...
 
