@@ -185,7 +185,7 @@ def destroy(machine: Engine, ref: Ref, depth: int = 0) -> bool:
     if obj.kind == "list" and obj.items and depth < _NESTED:
         if not _has_values(obj.cls):
             return True
-        items = reversed(obj.items) if name_of(obj.cls) == "std.array" else obj.items
+        items = reversed(obj.items) if name_of(obj.cls) in ("array", "std.array") else obj.items
         return all(destroy(machine, item, depth + 1) for item in items if isinstance(item, Ref))
     for each in obj.cls.mro if isinstance(obj.cls, Class) else ():
         info = program.info(each)

@@ -294,7 +294,7 @@ def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value
         if target is not None and dotted(target) == "char":
             return _CONVERTED if isinstance(value, Const) else _EXACT
         if words & _INTEGERS:
-            return _CONVERTED if isinstance(value, Const) and len(str(value.value)) == 1 else _NEVER
+            return _STANDARD if isinstance(value, Const) and len(str(value.value)) == 1 else _NEVER
     elif own in (TypeOf("int", ()), TypeOf("bool", ()), TypeOf("double", ())):
         kind = dotted(own)
         if name == kind:

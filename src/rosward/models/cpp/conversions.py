@@ -264,7 +264,10 @@ def _array(machine: Machine, items: tuple[Value, ...], type_: Value, depth: int)
     """`{1, 2}` and `{{1, 2}}`; what is not given has its default."""
     inner = argument(type_, 0)
     nested = (
-        len(items) == 1 and isinstance(items[0], Tuple) and shape_of(inner) not in _LISTS | {Shape.CLASS, Shape.PAIR}
+        name_of(type_) == "std.array"  # whose elements are those of an array in it
+        and len(items) == 1
+        and isinstance(items[0], Tuple)
+        and shape_of(inner) not in _LISTS | {Shape.CLASS, Shape.PAIR}
     )
     if nested and isinstance(items[0], Tuple):
         items = items[0].items
