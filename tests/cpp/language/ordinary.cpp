@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 // What programs do all day: overloads of which one takes a value and another a reference, what is held but is of others, queues of objects.
 struct Settings
 {

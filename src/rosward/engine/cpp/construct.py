@@ -342,7 +342,8 @@ def _field_of(machine: Engine, info: Info, symbol: Symbol, value: Value) -> Valu
     type_ = evaluate(machine, symbol.type, info.env) if symbol.type is not None else TypeOf("auto", ())
     if not isinstance(value, Tuple):
         return make(machine, type_, (value,), "copy")
-    return make(machine, type_, value.items if dotted(type_) == "array" else (value,), "brace-copy")
+    several = dotted(type_) == "array" or shape_of(type_) is Shape.LIST
+    return make(machine, type_, value.items if several else (value,), "brace-copy")
 
 
 def field_default(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Value | None:
