@@ -25,7 +25,7 @@ from rosward.engine.cpp.types import STRING, dotted, is_pointer_pattern, pointee
 from rosward.ir.symbols import ParameterSymbol, Signature, Symbol, SymbolKind
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.traits import NO_TYPE
-from rosward.models.cpp.types import argument
+from rosward.models.cpp.types import NOT_OF_ONE, argument
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -41,15 +41,6 @@ _NEVER: Final = 0
 _INTEGERS: Final = frozenset({"int", "long", "short", "unsigned", "size_t", "char"})
 _FLOATS: Final = frozenset({"float", "double"})
 _TEXTS: Final = frozenset({"std.string", "std.string_view", "string", "std.filesystem.path"})
-_NOT_OF_ONE: Final = frozenset(
-    f"std.{name}"
-    for name in (
-        *("array", "deque", "forward_list", "list", "map", "multimap", "multiset", "pair", "priority_queue", "queue"),
-        *("set", "stack", "unordered_map", "unordered_multimap", "unordered_multiset", "unordered_set", "vector"),
-        *("function", "future", "promise", "thread", "mutex"),
-    )
-)
-"""Types of the library that are never made of a single number or text without saying so."""
 _CALLABLES: Final = (Function, BoundMethod, Partial, Overloads)
 
 
@@ -278,7 +269,7 @@ def _callable(machine: Engine, type_: Value, name: str) -> int:
 
 
 def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value | None) -> int:
-    if name in _NOT_OF_ONE:
+    if name in NOT_OF_ONE:
         return _NEVER
     if name == "std.optional":
         return min(fit(machine, value, argument(type_, 0)), _CONVERTED)

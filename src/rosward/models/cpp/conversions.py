@@ -35,6 +35,7 @@ __all__ = [
     "convert",
     "default_value",
     "is_empty_optional",
+    "is_one",
     "new_container",
     "new_map",
     "new_set",
@@ -171,6 +172,20 @@ def owned(machine: Machine, value: Value, type_: Value, depth: int = 0) -> Value
     held = convert(machine, value, type_, "init", depth)
     made = isinstance(type_, Class) and isinstance(held, Ref) and held not in options(read(machine, value))
     return held if made else copied(machine, held)
+
+
+_COMPOUND: Final = frozenset({Shape.ARRAY, Shape.LIST, Shape.MAP, Shape.PAIR, Shape.SET, Shape.TUPLE})
+
+
+def is_one(type_: Value, braces: Tuple) -> bool:
+    """Whether the inner braces in `std::vector<T> v{{a, b}}` are those of one T."""
+    shape = shape_of(type_)
+    if isinstance(type_, Class) or shape not in _COMPOUND:
+        return isinstance(type_, Class)
+    inner = argument(type_, 0)
+    plain = not isinstance(inner, Class) and shape_of(inner) not in _COMPOUND
+    several = any(isinstance(item, Tuple) and len(item.items) > 1 for item in braces.items)
+    return not (plain and several and shape in (Shape.ARRAY, Shape.LIST, Shape.SET))
 
 
 def _unbraced(machine: Machine, value: Tuple, type_: Value, depth: int) -> Value:

@@ -16,7 +16,7 @@ from rosward.domain.compound import External, Tuple
 from rosward.domain.series import Series, concatenated
 from rosward.domain.slots import Slot
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.containers import (
     cls_of,
@@ -30,7 +30,7 @@ from rosward.models.cpp.containers import (
     receivers,
     swap,
 )
-from rosward.models.cpp.conversions import convert, default_value, new_container
+from rosward.models.cpp.conversions import convert, default_value, is_one, new_container
 from rosward.models.cpp.copies import copied, for_each
 from rosward.models.cpp.elements import series_of
 from rosward.models.cpp.exceptions import may_raise, raises
@@ -314,7 +314,7 @@ def _new(call: NativeCall) -> Value:
     if len(args) == 1:
         first = read(machine, args[0])
         if isinstance(first, Tuple):
-            alone = braced and shape_of(type_) is Shape.LIST and _is_one(argument(type_, 0), first)
+            alone = braced and shape_of(type_) is Shape.LIST and is_one(argument(type_, 0), first)
             return convert(machine, Tuple((first,)) if alone else first, type_)
         if isinstance(first, Unknown) and first.hint not in ("int", "float", "bool"):
             return first
@@ -327,20 +327,6 @@ def _new(call: NativeCall) -> Value:
     if shape_of(type_) is Shape.ARRAY:
         return default_value(machine, type_)
     return new_container(machine, type_, initial(machine, type_, args), "new")
-
-
-_COMPOUND: Final = frozenset({Shape.ARRAY, Shape.LIST, Shape.MAP, Shape.PAIR, Shape.SET, Shape.TUPLE})
-
-
-def _is_one(type_: Value, braces: Tuple) -> bool:
-    """Whether the inner braces in `std::vector<T> v{{a, b}}` are those of one T."""
-    shape = shape_of(type_)
-    if isinstance(type_, Class) or shape not in _COMPOUND:
-        return isinstance(type_, Class)
-    inner = argument(type_, 0)
-    plain = not isinstance(inner, Class) and shape_of(inner) not in _COMPOUND
-    several = any(isinstance(item, Tuple) and len(item.items) > 1 for item in braces.items)
-    return not (plain and several and shape in (Shape.ARRAY, Shape.LIST, Shape.SET))
 
 
 def _nests(machine: Machine, type_: Value, value: Ref) -> bool:
