@@ -33,11 +33,13 @@ def by_category(machine: Engine, functions: list[Function], args: tuple[Value, .
         return functions
     scores = [(f, [_fits(f, n, category) for n, category in enumerate(categories)]) for f in functions]
     possible = [(f, score) for f, score in scores if _NEVER not in score] or scores
-    return [f for f, score in possible if not any(_better(other, score) for _, other in possible)]
+    best = [f for f, score in possible if not any(_better(other, score) for _, other in possible)]
+    return best or [f for f, _ in possible]
 
 
-def _better(one: list[int], other: list[int]) -> bool:
-    return one != other and all(a >= b for a, b in zip(one, other, strict=True))
+def _better(one: list[int | None], other: list[int | None]) -> bool:
+    both = [(a, b) for a, b in zip(one, other, strict=True) if a is not None and b is not None]
+    return any(a > b for a, b in both) and all(a >= b for a, b in both)
 
 
 def _categories(machine: Engine, args: tuple[Value, ...]) -> list[Category] | None:
@@ -64,12 +66,15 @@ def _category(frame: Frame, argued: Argued, value: Value) -> Category:
     return "rvalue"
 
 
-def _fits(function: Function, number: int, category: Category) -> int:
+def _fits(function: Function, number: int, category: Category) -> int | None:
+    """How well a reference takes an argument; None of what is no reference, which takes each as well."""
     signature = function.code.signature
     if signature is None or number >= len(signature.parameters):
-        return _AS_CONSTANT
+        return None
     type_ = signature.parameters[number].type
-    if not type_.reference or _is_free(type_, frozenset(p.name for p in signature.template)):
+    if not type_.reference:
+        return None
+    if _is_free(type_, frozenset(p.name for p in signature.template)):
         return _AS_CONSTANT
     if type_.reference == "&&":
         return _EXACT if category == "rvalue" else _NEVER

@@ -99,7 +99,8 @@ def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Va
     if pointee(type_) is not None or shape_of(type_) is not Shape.OTHER or "." not in name:
         if not args or (len(args) == 1 and args[0] == Tuple(())):
             return default_value(machine, type_) if form != "default" or pointee(type_) is None else NONE
-        value = Tuple(tuple(args)) if form.startswith("brace") and not _is_list(args) else args[0]
+        listed = form.startswith("brace") and (name == "array" or not _is_list(args))
+        value = Tuple(tuple(args)) if listed else args[0]
         if pointee(type_) is not None:
             return convert_plain(machine, lift(lambda v: decayed(machine, v), read(machine, value)), type_, "init")
         return convert_plain(
@@ -365,7 +366,10 @@ def _field_of(machine: Engine, info: Info, symbol: Symbol, value: Value) -> Valu
     if symbol.reference:
         return value
     type_ = evaluate(machine, symbol.type, info.env) if symbol.type is not None else TypeOf("auto", ())
-    return make(machine, type_, (value,), "brace-copy" if isinstance(value, Tuple) else "copy")
+    if not isinstance(value, Tuple):
+        return make(machine, type_, (value,), "copy")
+    several = dotted(type_) == "array" or shape_of(type_) is Shape.LIST
+    return make(machine, type_, value.items if several else (value,), "brace-copy")
 
 
 def field_default(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Value | None:

@@ -27,7 +27,7 @@ from rosward.engine.frame import Frame
 from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.receivers import OF_PLACES
 from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import method_types, name_of
+from rosward.models.cpp.types import argument, method_types, name_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -173,12 +173,19 @@ _NESTED: Final = 6
 """How deep in an object the ends of what it holds are followed."""
 
 
+def _has_values(cls: Value) -> bool:
+    """Whether what a container holds is its own: in a tuple (`std::tie(lamp)`), or in wrappers of references, it may be of others."""
+    return name_of(cls) != "std.tuple" and name_of(argument(cls, 0)) != "std.reference_wrapper"
+
+
 def destroy(machine: Engine, ref: Ref, depth: int = 0) -> bool:
     """An object ends: the destructors of its class, of what it holds by value, and of its bases run; False where one never ends."""
     program = linked(machine)
     obj = machine.obj(ref)
     if obj.kind == "list" and obj.items and depth < _NESTED:
-        items = reversed(obj.items) if name_of(obj.cls) == "std.array" else obj.items
+        if not _has_values(obj.cls):
+            return True
+        items = reversed(obj.items) if name_of(obj.cls) in ("array", "std.array") else obj.items
         return all(destroy(machine, item, depth + 1) for item in items if isinstance(item, Ref))
     for each in obj.cls.mro if isinstance(obj.cls, Class) else ():
         info = program.info(each)

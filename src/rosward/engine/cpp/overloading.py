@@ -25,6 +25,7 @@ from rosward.engine.cpp.types import STRING, dotted, is_pointer_pattern, pointee
 from rosward.ir.symbols import ParameterSymbol, Signature, Symbol, SymbolKind
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.traits import NO_TYPE
+from rosward.models.cpp.types import NOT_OF_ONE, argument
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -219,10 +220,15 @@ def fit(machine: Engine, value: Value, type_: Value) -> int:
     if isinstance(value, (Const, Text, Unknown)):
         return _plain(machine, value, type_, name, target)
     if isinstance(value, Tuple):
-        return _NEVER if name in _INTEGERS | _FLOATS | {"bool"} and len(value.items) > 1 else _CONVERTED
+        return _NEVER if len(value.items) > 1 and _is_of_one(name, value) else _CONVERTED
     if isinstance(value, Ref):
         return _object(machine, machine.obj(value).cls, type_, name)
     return _CONVERTED if type_ != value else _EXACT
+
+
+def _is_of_one(name: str, value: Tuple) -> bool:
+    """Whether a type is made of a single value: a string not of several."""
+    return name in _INTEGERS | _FLOATS | {"bool"} or (name in _TEXTS and all(map(is_char_text, value.items)))
 
 
 _TRUTHS: Final = frozenset({"bool", "nullptr", "std.nullptr_t", "void"})
@@ -232,10 +238,12 @@ _EMPTY: Final = frozenset({"function", "std.function"})
 
 def _pointer(machine: Engine, value: Value, target: Value | None, name: str) -> int:
     if target is None:
+        if value == Const(None) and name in {"nullptr", "std.nullptr_t"}:
+            return _EXACT
         empty = _EMPTY if value == Const(None) else frozenset[str]()
         return _CONVERTED if name in _TRUTHS | empty or _is_open(machine, name) else _NEVER
     if not isinstance(value, Pointer):
-        return _NEAR
+        return _NEAR if name == "pointer" else _CONVERTED
     cls = type_of(machine, value.target)
     if cls == target or dotted(target) == "void":
         # A weak pointer may be made of a shared one: nobody knows which of them the value is.
@@ -261,6 +269,10 @@ def _callable(machine: Engine, type_: Value, name: str) -> int:
 
 
 def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value | None) -> int:
+    if name in NOT_OF_ONE:
+        return _NEVER
+    if name == "std.optional":
+        return min(fit(machine, value, argument(type_, 0)), _CONVERTED)
     own = type_of(machine, value)
     if enumeration_of(value):
         return _enumerator(own, type_, name)
@@ -271,9 +283,9 @@ def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value
         if name in _TEXTS:
             return _EXACT
         if target is not None and dotted(target) == "char":
-            return _NEAR if isinstance(value, Const) else _EXACT
+            return _CONVERTED if isinstance(value, Const) else _EXACT
         if words & _INTEGERS:
-            return _CONVERTED if isinstance(value, Const) and len(str(value.value)) == 1 else _NEVER
+            return _STANDARD if isinstance(value, Const) and len(str(value.value)) == 1 else _NEVER
     elif own in (TypeOf("int", ()), TypeOf("bool", ()), TypeOf("double", ())):
         kind = dotted(own)
         if name == kind:

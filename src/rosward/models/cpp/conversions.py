@@ -35,6 +35,7 @@ __all__ = [
     "convert",
     "default_value",
     "is_empty_optional",
+    "is_one",
     "new_container",
     "new_map",
     "new_set",
@@ -173,6 +174,20 @@ def owned(machine: Machine, value: Value, type_: Value, depth: int = 0) -> Value
     return held if made else copied(machine, held)
 
 
+_COMPOUND: Final = frozenset({Shape.ARRAY, Shape.LIST, Shape.MAP, Shape.PAIR, Shape.SET, Shape.TUPLE})
+
+
+def is_one(type_: Value, braces: Tuple) -> bool:
+    """Whether the inner braces in `std::vector<T> v{{a, b}}` are those of one T."""
+    shape = shape_of(type_)
+    if isinstance(type_, Class) or shape not in _COMPOUND:
+        return isinstance(type_, Class)
+    inner = argument(type_, 0)
+    plain = not isinstance(inner, Class) and shape_of(inner) not in _COMPOUND
+    several = any(isinstance(item, Tuple) and len(item.items) > 1 for item in braces.items)
+    return not (plain and several and shape in (Shape.ARRAY, Shape.LIST, Shape.SET))
+
+
 def _unbraced(machine: Machine, value: Tuple, type_: Value, depth: int) -> Value:
     """`{}` and `{x}` for something that is no container; of a class, what its constructors make of it."""
     shape = shape_of(type_)
@@ -264,7 +279,10 @@ def _array(machine: Machine, items: tuple[Value, ...], type_: Value, depth: int)
     """`{1, 2}` and `{{1, 2}}`; what is not given has its default."""
     inner = argument(type_, 0)
     nested = (
-        len(items) == 1 and isinstance(items[0], Tuple) and shape_of(inner) not in _LISTS | {Shape.CLASS, Shape.PAIR}
+        name_of(type_) == "std.array"  # whose elements are those of an array in it
+        and len(items) == 1
+        and isinstance(items[0], Tuple)
+        and shape_of(inner) not in _LISTS | {Shape.CLASS, Shape.PAIR}
     )
     if nested and isinstance(items[0], Tuple):
         items = items[0].items

@@ -36,7 +36,8 @@ def in_order(machine: Machine, values: list[Value], cls: Value | None = None) ->
     asked = cls is not None and is_asked(cls)
     ranks: list[Any] = [] if asked else [plain(value) for value in values]
     if asked or any(rank is NOT_PLAIN or rank is None for rank in ranks):
-        if cls is None or "unordered" in name_of(cls) or not (asked or any(map(_has_structure, values))):
+        known = asked or any(_has_structure(v) or _is_asked_of(machine, v) for v in values)
+        if cls is None or "unordered" in name_of(cls) or not known:
             return None
         return by_asking(values, lambda a, b: _is_less(machine, cls, a, b))
     reverse = cls is not None and name_of(_compared(cls)) == "std.greater"
@@ -103,6 +104,12 @@ def _has_structure(value: Value) -> bool:
     return is_structure(value) or (isinstance(value, Tuple) and any(map(_has_structure, value.items)))
 
 
+def _is_asked_of(machine: Machine, value: Value) -> bool:
+    """Whether a value is an object of a class of the program, which says how such are compared, or a pair."""
+    cls = machine.obj(value).cls if isinstance(value, Ref) else None
+    return isinstance(cls, Class) or (cls is not None and name_of(cls) == "std.pair")
+
+
 def without_comparison(machine: Machine, values: list[Value], cls: Value) -> tuple[list[Value], Value]:
     """What a container is made of but for functions that compare and hash, and its class with what compares its keys."""
     at = _COMPARED.get(name_of(cls), _NOWHERE)
@@ -144,9 +151,8 @@ def _answer(machine: Machine, cls: Value, a: Value, b: Value) -> bool | None:
 def _is_less(machine: Machine, cls: Value, a: Value, b: Value) -> bool | None:
     if is_asked(cls):
         return _answer(machine, cls, a, b)
-    if name_of(_compared(cls)) == "std.greater":
-        a, b = b, a
-    return machine.truth(machine.compare("<", unfolded(machine, cls, a), unfolded(machine, cls, b)))
+    operator = ">" if name_of(_compared(cls)) == "std.greater" else "<"
+    return machine.truth(machine.compare(operator, unfolded(machine, cls, a), unfolded(machine, cls, b)))
 
 
 def same_key(machine: Machine, cls: Value, a: Value, b: Value) -> bool | None:

@@ -21,6 +21,7 @@ from rosward.models.python.plain import EXCEPTION_HINT
 
 __all__ = [
     "INT",
+    "NOT_OF_ONE",
     "REFERENCE",
     "Shape",
     "argument",
@@ -60,6 +61,15 @@ class Shape(enum.Enum):
     OTHER = ""
 
 
+NOT_OF_ONE: Final = frozenset(
+    f"std.{name}"
+    for name in (
+        *("array", "deque", "forward_list", "list", "map", "multimap", "multiset", "pair", "priority_queue", "queue"),
+        *("set", "stack", "unordered_map", "unordered_multimap", "unordered_multiset", "unordered_set", "vector"),
+        *("function", "future", "promise", "thread", "mutex"),
+    )
+)
+"""Types of the library that are never made of a single number or text without saying so."""
 INT: Final = TypeOf("int", ())
 _STREAMS: Final = frozenset(
     f"std.{name}" for name in ["stringstream", "ostringstream", "istringstream", "ifstream", "ofstream", "fstream"]

@@ -30,7 +30,7 @@ from rosward.models.cpp.containers import (
     receivers,
     swap,
 )
-from rosward.models.cpp.conversions import convert, default_value, new_container
+from rosward.models.cpp.conversions import convert, default_value, is_one, new_container
 from rosward.models.cpp.copies import copied, for_each
 from rosward.models.cpp.elements import series_of
 from rosward.models.cpp.exceptions import may_raise, raises
@@ -314,7 +314,8 @@ def _new(call: NativeCall) -> Value:
     if len(args) == 1:
         first = read(machine, args[0])
         if isinstance(first, Tuple):
-            return convert(machine, first, type_)
+            alone = braced and shape_of(type_) is Shape.LIST and is_one(argument(type_, 0), first)
+            return convert(machine, Tuple((first,)) if alone else first, type_)
         if isinstance(first, Unknown) and first.hint not in ("int", "float", "bool"):
             return first
         if isinstance(first, Ref) and machine.obj(first).kind in ("list", "set") and not _nests(machine, type_, first):

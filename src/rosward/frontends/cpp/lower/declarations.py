@@ -139,7 +139,8 @@ def _one(
         body.write(node, found, _referred(body, node, type_node, shape, what))
     else:
         body.write(node, found, initial(body, node, type_node, shape, what, equals=equals))
-        if not number and not points and found not in body.scopes[-1].objects:
+        holds = not number and not has(shape, POINTERS | FUNCTIONS) and not builtin(type_node)
+        if holds and found not in body.scopes[-1].objects:
             body.scopes[-1].objects.append(found)
     return found
 
