@@ -120,12 +120,17 @@ def _raises(walker: Walker, raised: Mark) -> None:
 _MOST_TURNS: Final = 60
 
 
+def _interleave(walker: Walker) -> None:
+    """Another thread may have run before a turn: what callbacks write may stand here."""
+    if walker.threaded:
+        walker.join_beside()
+
+
 def loop(walker: Walker, op: ops.While, body: Body, seen: Seen) -> bool:
     """Turns until nothing changes."""
 
     def begin() -> bool:
-        if walker.threaded:  # another thread may have run
-            walker.join_beside()
+        _interleave(walker)
         return walker.run(op.condition, body)
 
     def test() -> int:
@@ -139,8 +144,7 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
     iterable = body.registers[op.iterable]
 
     def begin() -> bool:
-        if walker.threaded:  # another thread may have run
-            walker.join_beside()
+        _interleave(walker)
         item = elements(walker, iterable)
         given = run_callees(walker, op, body, seen)
         item = item if given is None else item.joined(implicit.gone_through(walker, given))

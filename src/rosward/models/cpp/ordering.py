@@ -7,7 +7,6 @@ std::set<std::string>{name, "b"}            any number of `name` and 'b', where 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, Final
 
 from rosward.domain.choice import join_all, lift, options
@@ -17,16 +16,18 @@ from rosward.domain.series import Series
 from rosward.domain.slots import Overloads, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Choice, Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.models.asked_order import by_asking
 from rosward.models.cpp.slots import is_structure, unfolded
 from rosward.models.cpp.types import argument, name_of
 from rosward.models.native import Machine
 from rosward.models.python.operators.compare import equal
 from rosward.models.python.plain import NOT_PLAIN, plain
 
-__all__ = ["by_asking", "foremost", "in_order", "is_asked", "own_key", "same_key", "unique", "without_comparison"]
+__all__ = ["MOST_ASKED", "foremost", "in_order", "is_asked", "own_key", "same_key", "unique", "without_comparison"]
 
 _MOST: Final = 300
-_MOST_ASKED: Final = 30
+MOST_ASKED: Final = 30
+"""So many elements are put in order by asking the program."""
 
 
 def in_order(machine: Machine, values: list[Value], cls: Value | None = None) -> list[int] | None:
@@ -39,30 +40,12 @@ def in_order(machine: Machine, values: list[Value], cls: Value | None = None) ->
         known = asked or any(_has_structure(v) or _is_asked_of(machine, v) for v in values)
         if cls is None or "unordered" in name_of(cls) or not known:
             return None
-        return by_asking(values, lambda a, b: _is_less(machine, cls, a, b))
+        return by_asking(values, lambda a, b: _is_less(machine, cls, a, b), MOST_ASKED)
     reverse = cls is not None and name_of(_compared(cls)) == "std.greater"
     try:
         return sorted(range(len(values)), key=lambda n: ranks[n], reverse=reverse)
     except TypeError:
         return None
-
-
-def by_asking(values: list[Value], less: Callable[[Value, Value], bool | None]) -> list[int] | None:
-    """The indices in order, asked of each pair that decides; None where one answer is not known."""
-    if len(values) > _MOST_ASKED:
-        return None
-    placed: list[int] = []
-    for number, value in enumerate(values):
-        at = len(placed)
-        while at:
-            answer = less(value, values[placed[at - 1]])
-            if answer is None:
-                return None
-            if not answer:
-                break
-            at -= 1
-        placed.insert(at, number)
-    return placed
 
 
 def foremost(machine: Machine, series: Series, cls: Value) -> int | None:

@@ -6,7 +6,8 @@ from __future__ import annotations
 from rosward.domain.choice import join_all
 from rosward.domain.series import Series
 from rosward.domain.values import Value
-from rosward.models.cpp.ordering import by_asking, in_order
+from rosward.models.asked_order import by_asking
+from rosward.models.cpp.ordering import MOST_ASKED, in_order
 from rosward.models.cpp.slots import key_of
 from rosward.models.native import Machine
 
@@ -27,7 +28,7 @@ def sorted_values(machine: Machine, series: Series, function: Value | None) -> S
             answer = machine.compare("<", a, b) if function is None else machine.call(function, (a, b))
             return machine.truth(answer)
 
-        order = by_asking(values, less)
+        order = by_asking(values, less, MOST_ASKED)
     if order is None:
         return Series((join_all(values),) * len(values))
     return Series(tuple(values[n] for n in order))

@@ -16,6 +16,7 @@ from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Value
+from rosward.models.asked_order import by_asking
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.list_alternatives import Told, elements_apart, keep_told
 from rosward.models.python.operators.compare import comparable, compares, equal
@@ -237,20 +238,9 @@ _MOST_ASKED: Final = 20
 
 def _by_asking(machine: Machine, keys: list[Value], *, reverse: bool) -> list[int] | None:
     """The order of keys that say themselves which of two goes first (`__lt__`); None where one does not know."""
-    if len(keys) > _MOST_ASKED:
-        return None
-    placed: list[int] = []
-    for number in range(len(keys))[:: -1 if reverse else 1]:
-        place = len(placed)
-        while place:
-            less = machine.truth(machine.compare("<", keys[number], keys[placed[place - 1]]))
-            if less is None:
-                return None
-            if not less:
-                break
-            place -= 1
-        placed.insert(place, number)
-    return placed[:: -1 if reverse else 1]
+    given = keys[::-1] if reverse else keys
+    placed = by_asking(given, lambda a, b: machine.truth(machine.compare("<", a, b)), _MOST_ASKED)
+    return [len(keys) - 1 - n for n in reversed(placed)] if placed is not None and reverse else placed
 
 
 def _sort(call: NativeCall) -> Value:
