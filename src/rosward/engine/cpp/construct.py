@@ -162,7 +162,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         return of_functions
     if info.open:
         cls, info = _closed(machine, cls, info, args)
-    if len(args) == 1 and is_one(machine, args[0], cls) and not copies(machine, info):
+    if _is_one_of(machine, args, cls) and not copies(machine, info):
         if not is_copied(machine, cls) and all(
             isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))
         ):
@@ -179,7 +179,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
 
 
 def _is_one_of(machine: Engine, args: tuple[Value, ...], cls: Class) -> bool:
-    """Whether braces hold nothing but an object of the class: it is copied."""
+    """Whether nothing is given but an object of the class: it is copied."""
     return len(args) == 1 and is_one(machine, args[0], cls)
 
 
@@ -242,7 +242,7 @@ def _as_class(machine: Engine, ref: Ref, cls: Class) -> Iterator[None]:
 def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
     """Run the constructor of a class on an object; False where it never ends."""
     assert info.cls is not None
-    if len(args) == 1 and is_one(machine, args[0], info.cls) and not copies(machine, info):
+    if _is_one_of(machine, args, info.cls) and not copies(machine, info):
         _take_over(machine, ref, info.cls, args[0])
         return True
     is_delegated = linked(machine).constructing[-1:] == [(ref.address, info.cls)]
