@@ -7,7 +7,7 @@ std_msgs/msg/string.hpp    ->  namespace std_msgs::msg { struct String { std::st
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from pathlib import Path
 from typing import Final
@@ -29,6 +29,9 @@ _TYPES: Final = {
 
 _LIKE: Final = {("test_msgs", "action", "Fibonacci"): "example_interfaces"}
 """Interfaces of which rosward knows no fields, and the package with one that has the same."""
+
+_OF_ACTIONS: Final = [("action_msgs", "msg", "goal_status_array"), ("action_msgs", "srv", "cancel_goal")]
+"""The headers that the header of every action includes; both know what a time and a UUID is."""
 
 
 def header_name(name: str) -> str:
@@ -81,7 +84,8 @@ class _Header:
         types = [
             f.type for part in self._parts.values() if part is not None for f in part.fields.values() if f.is_message
         ]
-        return sorted({(t.partition("/")[0], "msg", header_name(t.rpartition("/")[2])) for t in types})
+        own = {(t.partition("/")[0], "msg", header_name(t.rpartition("/")[2])) for t in types}
+        return sorted(own.union(_OF_ACTIONS if self._kind == "action" else ()))
 
     @property
     def text(self) -> str:
@@ -96,14 +100,53 @@ class _Header:
         yield f"namespace {space} {{"
         for part, definition in self._parts.items():
             yield from _struct(f"{self._name}_{part}" if part else self._name, definition)
+        built = [self._name, *(f"{self._name}_{part}" for part in self._parts if part)]
+        if self._kind == "action":
+            parts = _parts_of_action(self._name)
+            for name, fields in parts.items():
+                yield from _plain_struct(name, fields)
+            built += parts
         if self._kind != "msg":
-            yield f"struct {self._name} {{"
-            yield from (f"  using {part} = {self._name}_{part};" for part in self._parts)
-            yield f"  ROSWARD_DOUBLE_POINTERS({self._name})"
-            yield "};"
+            own = [f"using {part} = {self._name}_{part};" for part in self._parts]
+            yield from _plain_struct(self._name, [*own, *(_action(self._name) if self._kind == "action" else ())])
         yield "}"
-        for each in [self._name, *(f"{self._name}_{part}" for part in self._parts if part)]:
+        for each in built:
             yield f'ROSWARD_DOUBLE_TYPE({space}::{each}, "{self._package}/{self._kind}/{each}")'
+
+
+def _parts_of_action(name: str) -> dict[str, list[str]]:
+    """What rosidl makes of an action, besides its goal, result and feedback: members by struct (rosidl_parser, definition.py)."""
+    goal_id = "unique_identifier_msgs::msg::UUID goal_id;"
+    made = {
+        "SendGoal_Request": [goal_id, f"{name}_Goal goal;"],
+        "SendGoal_Response": ["bool accepted{};", "builtin_interfaces::msg::Time stamp;"],
+        "GetResult_Request": [goal_id],
+        "GetResult_Response": ["int8_t status{};", f"{name}_Result result;"],
+        "FeedbackMessage": [goal_id, f"{name}_Feedback feedback;"],
+        **{
+            service: [f"using {part} = {name}_{service}_{part};" for part in PARTS["srv"]]
+            for service in ("SendGoal", "GetResult")
+        },
+    }
+    return {f"{name}_{part}": members for part, members in made.items()}
+
+
+def _action(name: str) -> list[str]:
+    own = {"SendGoalService": "SendGoal", "GetResultService": "GetResult", "FeedbackMessage": "FeedbackMessage"}
+    return [
+        "struct Impl {",
+        *(f"  using {member} = {name}_{part};" for member, part in own.items()),
+        "  using CancelGoalService = action_msgs::srv::CancelGoal;",
+        "  using GoalStatusMessage = action_msgs::msg::GoalStatusArray;",
+        "};",
+    ]
+
+
+def _plain_struct(name: str, members: Iterable[str]) -> Iterator[str]:
+    yield f"struct {name} {{"
+    yield f"  ROSWARD_DOUBLE_POINTERS({name})"
+    yield from (f"  {member}" for member in members)
+    yield "};"
 
 
 def _struct(name: str, definition: Definition | None) -> Iterator[str]:
