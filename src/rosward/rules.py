@@ -107,6 +107,12 @@ _TABLE: Final = (
         _N,
         "The name cannot be known in advance. The policy uses a pattern, which grants the same to every such name.",
     ),
+    Rule(
+        "RW108",
+        "off by default",
+        _W,
+        "It exists once somebody sets what the message names. Tell rosward what your system sets (--launch, --params), so that the policy allows it.",
+    ),
     # Analysis
     Rule(
         "RW201",

@@ -15,7 +15,7 @@ from rosward.domain.choice import join, options, widen
 from rosward.domain.state import EventKey
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import INSTEAD, Cause, Reason
-from rosward.domain.values import UNBOUND, Choice, Const, Unknown, Value
+from rosward.domain.values import UNBOUND, Const, Unknown, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.rest import Rest
 from rosward.engine.throwing import note_turn
@@ -37,13 +37,11 @@ def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     test = frame.registers[op.test]
     frame.uncertain += 1
     try:
-        if test.__class__ is Choice:
-            parameter_table.follow(machine, test, sense=True)
+        parameter_table.tell(machine, test, sense=True)
         first = machine.run(op.then, frame)
         after = Snapshot(frame.registers, machine.state) if first else None
         machine.resume(frame, before)
-        if test.__class__ is Choice:
-            parameter_table.follow(machine, test, sense=False)
+        parameter_table.tell(machine, test, sense=False)
         second = machine.run(op.orelse, frame)
     finally:
         frame.uncertain -= 1

@@ -8,7 +8,7 @@ from typing import Final
 
 from rosward.domain.compound import Tuple
 from rosward.domain.text import pattern
-from rosward.domain.unknown import causes_of
+from rosward.domain.unknown import Cause, causes_of
 from rosward.domain.values import Const, Value
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.findings import Finding, Findings
@@ -92,12 +92,18 @@ def _with_interface(node: Node, process: Process, lacks: tuple[str, ...]) -> Nod
     interface, given = process.interface, process.lacks
     if interface is Interface.UNKNOWN:
         return replace(node, interface=interface, lacks=given)
-    nameless = sorted({e.kind.value for e in node.entities if e.resolution is Resolution.UNKNOWN and not e.system})
-    reasons = (
-        *dict.fromkeys((*given, *node.lacks, *lacks)),
-        *(f"RW101: the name of a {kind} is unknown" for kind in nameless),
+    nameless = sorted(
+        {_nameless(e) for e in node.entities if e.resolution is Resolution.UNKNOWN and not e.system},
     )
+    reasons = (*dict.fromkeys((*given, *node.lacks, *lacks)), *nameless)
     return replace(node, interface=Interface.PARTIAL if reasons else interface, lacks=reasons)
+
+
+def _nameless(entity: Entity) -> str:
+    """What the interface of a node lacks by an entity without a name."""
+    if entity.reasons and all(reason.startswith(Cause.OTHER.value) for reason in entity.reasons):
+        return f"RW108: a {entity.kind.value} is off by default"
+    return f"RW101: the name of a {entity.kind.value} is unknown"
 
 
 def _identities(log: EffectLog, effect: NodeEffect, findings: Findings) -> list[Identity]:
