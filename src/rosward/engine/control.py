@@ -15,7 +15,7 @@ from rosward.domain.choice import join, options, widen
 from rosward.domain.state import EventKey
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import INSTEAD, Cause, Reason
-from rosward.domain.values import UNBOUND, Const, Unknown, Value
+from rosward.domain.values import UNBOUND, Choice, Const, Unknown, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.rest import Rest
 from rosward.engine.throwing import note_turn
@@ -25,6 +25,9 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
+
+
+_TELLING: Final = (Choice, Const)
 
 
 def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
@@ -37,11 +40,13 @@ def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     test = frame.registers[op.test]
     frame.uncertain += 1
     try:
-        parameter_table.tell(machine, test, sense=True)
+        if test.__class__ in _TELLING:
+            parameter_table.tell(machine, test, _asked(op.then, frame), sense=True)
         first = machine.run(op.then, frame)
         after = Snapshot(frame.registers, machine.state) if first else None
         machine.resume(frame, before)
-        parameter_table.tell(machine, test, sense=False)
+        if test.__class__ in _TELLING:
+            parameter_table.tell(machine, test, _asked(op.orelse, frame), sense=False)
         second = machine.run(op.orelse, frame)
     finally:
         frame.uncertain -= 1
@@ -51,6 +56,11 @@ def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
         machine.resume(frame, after)
         return None
     return None if second else False
+
+
+def _asked(block: ops.Block, frame: Frame) -> list[Value]:
+    """The values of which the test of a branch says something."""
+    return [frame.registers[op.src] for op in block if op.__class__ is ops.Assume]
 
 
 def leave(machine: Engine, op: ops.Return, frame: Frame) -> bool:

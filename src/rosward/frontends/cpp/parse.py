@@ -59,7 +59,9 @@ class Parsed(NamedTuple):
         for trouble in self.troubles[:_TOLD]:
             what = f"expected {trouble.missing!r} here" if trouble.missing else f"{trouble.text!r} is not understood"
             told.append(
-                Finding("RW206", f"This is no C++ that can be read: {what}", Place(self.prepared.file, trouble.first), cause)
+                Finding(
+                    "RW206", f"This is no C++ that can be read: {what}", Place(self.prepared.file, trouble.first), cause
+                )
             )
         return told
 

@@ -11,11 +11,12 @@ their own: what is declared as `*.depth` is not what stands under `*.topic`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
-from rosward.domain.choice import join, join_all, options, reasons_of
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of, readable
@@ -188,19 +189,20 @@ def narrow(machine: Machine, before: Value, after: Value) -> None:
         _put_entry(machine, held[0], key, after)
 
 
-def _exclude(machine: Machine, test: Value, *, sense: bool) -> None:
+def _exclude(machine: Machine, test: Const, asked: Sequence[Value], *, sense: bool) -> None:
     """A test that was computed of a default comes out otherwise than with it: somebody gives the parameter another value there.
 
-    `if len(topic) > 0:` of a topic that is '' by default.
+    `if len(topic) > 0:` of a topic that is '' by default. What is asked directly is narrowed where it stands.
     """
     label = _open_parameter(test)
-    if label is None or not isinstance(test, Const) or bool(test.value) is sense:
+    if label is None or bool(test.value) is sense:
         return
     key = Const(label)
     held = [(table, value) for table in _tables(machine) if (value := machine.obj(table).entries.get(key)) is not None]
-    if len(held) == 1 and isinstance(held[0][1], Const) and isinstance(held[0][1].value, str):
-        if _open_parameter(held[0][1]) == label:
-            _put_entry(machine, held[0][0], key, _another(machine, label))
+    if len(held) != 1 or held[0][1] in asked or _open_parameter(held[0][1]) != label:
+        return
+    if isinstance(held[0][1], Const) and isinstance(held[0][1].value, str):
+        _put_entry(machine, held[0][0], key, _another(machine, label))
 
 
 def in_place(machine: Machine, value: Value) -> Value:
@@ -209,10 +211,12 @@ def in_place(machine: Machine, value: Value) -> Value:
     if label is None:
         return value
     held = [v for table in _tables(machine) if (v := machine.obj(table).entries.get(Const(label))) is not None]
-    excluded = (
-        len(held) == 1 and all(r.cause is Cause.OTHER for r in reasons_of(held[0])) and isinstance(held[0], Unknown)
-    )
-    return held[0] if excluded else value
+    return held[0] if len(held) == 1 and _is_excluded(held[0]) else value
+
+
+def _is_excluded(value: Value | None) -> bool:
+    """Whether a parameter has what somebody gives in place of its default."""
+    return isinstance(value, Unknown) and bool(value.reasons) and all(r.cause is Cause.OTHER for r in value.reasons)
 
 
 def _open_parameter(value: Value) -> str | None:
@@ -254,12 +258,12 @@ def may_have(machine: Machine, node: Value, label: str) -> Value:
     return join_all((Const(True, frozenset((Origin(f"{_HAS}{node.address}", label),))), FALSE))
 
 
-def tell(machine: Machine, test: Value, *, sense: bool) -> None:
-    """A test came out as `sense`: what that says about parameters holds from here on."""
+def tell(machine: Machine, test: Value, asked: Sequence[Value], *, sense: bool) -> None:
+    """A test came out as `sense`: what that says about parameters holds from here on. `asked`: the values that it asks about."""
     if isinstance(test, Choice):
         _follow(machine, test, sense=sense)
     elif isinstance(test, Const) and test.origins:
-        _exclude(machine, test, sense=sense)
+        _exclude(machine, test, asked, sense=sense)
 
 
 def _follow(machine: Machine, value: Value, *, sense: bool) -> None:
