@@ -39,13 +39,16 @@ _FOREIGN: Final = _READ | {
 """Libraries that create nothing on a node that they get hold of: they know nothing of ROS, or only ask the graph."""
 
 
-_QT: Final = re.compile(r"(?:Q[A-Z]\w*|Ui)(?:\.|$)")
-"""Classes of Qt in C++, and the name space of what its tools make of the description of a window."""
+_IN_CPP: Final = re.compile(
+    r"(?:Q[A-Z]\w*|Ui)(?:\.|$)"
+    r"|BT\.\w+\.(?:name|getInput|setOutput|config|status|isHalted|UID|fullPath|registrationName|emitWakeUpSignal)$"
+)
+"""Classes of Qt, what its tools make of the description of a window, and what a node of a behaviour tree is asked: its base knows nothing of ROS."""
 
 
 def creates_nothing(callee: Value) -> bool:
     """Whether it is known of what is called that it creates nothing on a node."""
-    return all(name.partition(".")[0] in _FOREIGN or _QT.match(name) for name in _dotted(callee))
+    return all(name.partition(".")[0] in _FOREIGN or _IN_CPP.match(name) for name in _dotted(callee))
 
 
 def only_reads(callee: Value) -> bool:

@@ -14,6 +14,8 @@ a ? b : throw E();                       a ? b : ~~~~~ E();
 template<class T, int * = nullptr>       template<class T, int *_= nullptr>
 decltype(f(x), void())                   decltype(      void())
 x.~Tree<Node>();                         x.~Tree      ();
+delete [] (v);                           delete []  v ;
+v(i) = 0;                                v(i) =+0;
 using Ts::operator()...;                 using Ts::operator()   ;
 using std::sin, std::cos;                using std::sin;using  std::cos;
 template class Tree<Node>;               nothing: it runs nothing
@@ -30,7 +32,7 @@ from typing import Final
 from rosward.frontends.cpp.tokens import LITERAL, blank
 
 _TYPENAME: Final = re.compile(
-    r"(?:(?<==)|(?<=\breturn))[ \t]*\btypename\b"
+    r"(?:(?<==)|(?<=\breturn))\s*\btypename\b"
     r"|(?<=[(,])\s*\btypename\b(?=\s+[\w:]+(?:<[^;{}()]{0,200}>[\w:]*)*\s*(?:\{|\(\s*\)))"
 )
 _NEW_POINTERS: Final = re.compile(r"(?<=\bnew)([ \t]+[A-Za-z_][\w:]*)([ \t]*\*[ \t*]*)(?=\[)")
@@ -53,6 +55,10 @@ _THROW: Final = re.compile(r"(\?[^?;{}]{0,300}:|\?)(\s*)throw\b")
 _UNNAMED: Final = re.compile(r"\*[ \t](?=\s*=\s*(?:nullptr|NULL|0)\s*[,>])")
 _OPERANDS: Final = re.compile(r"\b(?:decltype|sizeof)\s*\(")
 _DESTRUCTOR: Final = re.compile(r"((?:\.|->)\s*~\s*\w+)(<[^;(){}]{0,200}>)(?=\s*\(\s*\))")
+_DELETE: Final = re.compile(r"(\bdelete\s*\[\s*\]\s*)\(([^();]*)\)(?=\s*;)")
+_ZERO: Final = re.compile(
+    r"(?<=[;{})])(\s*(?:else\s+)?\w+\s*\(\s*[\w.]+(?:\s*[-+*/,]\s*[\w.]+){0,20}\s*\)\s*=)[ \t](?=\s*0\s*;)"
+)
 _MOST: Final = 1_000
 """So long is what `decltype` names, at most."""
 
@@ -89,6 +95,10 @@ def suited(text: str) -> str:
         text = _last_operands(text)
     if "~" in text:
         text = _DESTRUCTOR.sub(lambda found: found[1] + " " * len(found[2]), text)
+    if "delete" in text:
+        text = _DELETE.sub(r"\1 \2 ", text)
+    if "0" in text:
+        text = _ZERO.sub(r"\1+", text)
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
     if "slots" in text:
