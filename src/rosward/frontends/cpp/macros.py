@@ -264,8 +264,13 @@ def _pasted(found: list[str]) -> list[str]:
         while result and result[-1] == " ":
             result.pop()
         if position < len(found) and result:
-            if found[position] == _NO_MORE and result[-1] == ",":
-                result.pop()
+            if (
+                result[-1] == ","
+            ):  # nothing is made one with a comma: it stays before what is given, and goes where that is nothing
+                if found[position] == _NO_MORE:
+                    result.pop()
+                else:
+                    result.append(found[position])
             else:
                 one = (result.pop() + found[position]).replace(_NOTHING, "")
                 result.append(one or _NOTHING)

@@ -33,7 +33,7 @@ from rosward.frontends.cpp.tokens import LITERAL, blank
 
 _TYPENAME: Final = re.compile(
     r"(?:(?<==)|(?<=\breturn))\s*\btypename\b"
-    r"|(?<=[(,])\s*\btypename\b(?=\s+[\w:]+(?:<[^;{}()]{0,200}>[\w:]*)*\s*(?:\{|\(\s*\)))"
+    r"|(?<=[(,])\s*\btypename\b(?=[^;{}()]{0,200}::)(?=\s+[\w:]+(?:<[^;{}()]{0,200}>[\w:]*)*\s*[{(])"
 )
 _NEW_POINTERS: Final = re.compile(r"(?<=\bnew)([ \t]+[A-Za-z_][\w:]*)([ \t]*\*[ \t*]*)(?=\[)")
 _SLOTS: Final = re.compile(r"(?:(?<=\bpublic)|(?<=\bprivate)|(?<=\bprotected))[ \t]+slots\b(?=[ \t]*:)")
