@@ -107,7 +107,7 @@ def _reach_object(machine: Engine, ref: Ref, library: str, callee: Value | None,
         machine.trace.handed.setdefault(ref, machine.place)
         if not library:
             return  # it knows nothing of ROS
-        is_node = machine.log.is_node(ref.address)
+        is_node = machine.is_node(ref.address)
         if is_node or holds_node(machine, ref):
             what = "a node" if is_node else "an object that holds a node"
             machine.report(

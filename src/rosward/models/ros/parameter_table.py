@@ -231,7 +231,7 @@ def _another(machine: Machine, label: str) -> Value:
 
 def _tables(machine: Machine) -> list[Ref]:
     """The tables of all nodes, as far as each is of one node alone."""
-    nodes = dict.fromkeys(Ref(effect.address) for effect in machine.log.nodes)
+    nodes = dict.fromkeys(Ref(effect.address) for effect in machine.nodes_at(None))
     return list(dict.fromkeys(table for node in nodes if (table := table_of(machine, node)) is not None))
 
 
