@@ -36,6 +36,7 @@ CLAIMS: Final = {
     **dict.fromkeys(("RW102", "RW104"), (L, W)),
     "RW103": (F, E),
     "RW107": (L, N),  # nobody can say more
+    "RW108": (L, W),  # defaults hold: with them it is not there
     **dict.fromkeys(
         ("RW201", "RW202", "RW203", "RW204", "RW206", "RW207", "RW208", "RW210", "RW212", "RW214", "RW299"), (M, E)
     ),

@@ -107,6 +107,12 @@ _TABLE: Final = (
         _N,
         "The name cannot be known in advance. The policy uses a pattern, which grants the same to every such name.",
     ),
+    Rule(
+        "RW108",
+        "off by default",
+        _W,
+        "It exists once somebody sets what the message names. Tell rosward what your system sets (--launch, --params), so that the policy allows it.",
+    ),
     # Analysis
     Rule(
         "RW201",
@@ -133,7 +139,12 @@ _TABLE: Final = (
         "Add its package to the analysis, or describe it in a stub file (--models).",
     ),
     Rule("RW205", "entity in unreachable code", _N, "No entry point reaches this call, so it is not in the result."),
-    Rule("RW206", "unsupported construct", _E, "Please report it. What it creates is missing from the result."),
+    Rule(
+        "RW206",
+        "unsupported construct",
+        _E,
+        "What it creates is missing from the result. Please report it, or exclude a library that knows nothing of ROS (--exclude).",
+    ),
     Rule(
         "RW207",
         "module not among the sources",

@@ -206,6 +206,37 @@ def test_what_no_process_reaches(package: Path) -> None:
     ]
 
 
+def test_libraries_that_no_program_is_linked_of(package: Path) -> None:
+    """Nothing here runs them; what is loaded as a plugin may run all the same, with what else is in its library."""
+    configure = '{ node.create_subscription<std_msgs::msg::String>("in", 1, [](std_msgs::msg::String::SharedPtr) {}); }'
+    sources = {
+        "src/plugin.cpp": HEADER
+        + "namespace demo { struct Plugin { void configure(rclcpp::Node & node)\n"
+        + configure
+        + " }; }\nPLUGINLIB_EXPORT_CLASS(demo::Plugin, base::Plugin)\n",
+        "src/helper.cpp": HEADER
+        + "struct Helper { void make(rclcpp::Node & node)\n"
+        + "{ b_ = std::make_shared<tf2_ros::TransformBroadcaster>(node);\n"
+        + 's_ = rclcpp_action::create_server<demo::action::Go>(node, "go"); } };\n',
+        "src/tools.cpp": HEADER + "struct Tools { void make(rclcpp::Node & node)\n" + configure + " };\n",
+        "src/quiet.cpp": HEADER + "struct Quiet { int make() { return 1; } };\n",
+    }
+    cmake = "add_library(plugins SHARED src/plugin.cpp src/helper.cpp)\nadd_library(tools src/tools.cpp)\nadd_library(quiet src/quiet.cpp)\n"
+    write(package, cmake, sources)
+    result = rosward.extract(package)
+    assert [
+        f"{f.code} {f.place.file}:{f.place.line} {f.message.partition(',')[0]}"
+        for f in result.findings
+        if f.code in ("RW204", "RW205")
+    ] == [
+        "RW204 src/helper.cpp:4 Helper::make is in a library of plugins",
+        "RW204 src/helper.cpp:5 Helper::make is in a library of plugins",
+        "RW204 src/plugin.cpp:4 demo::Plugin::configure is of a plugin",
+        "RW205 src/tools.cpp:4 Tools::make is never called: its create_subscription is not in the result",
+    ]
+    assert not [f for f in result.findings if f.place.file == "src/quiet.cpp"]
+
+
 def test_a_result_stands_on_all_files_of_its_program(tmp_path: Path) -> None:
     """The questions of a process have a digest of its program: it changes with a header."""
 

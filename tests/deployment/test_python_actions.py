@@ -176,6 +176,22 @@ def test_a_target_is_the_action_that_it_names(tmp_path: Path) -> None:
     assert handler.target == node.identity == load.target.identity
 
 
+def test_what_launch_cannot_execute_starts_nothing(tmp_path: Path) -> None:
+    """An event, or a substitution, where an action is expected: launch fails there, and nothing is missing."""
+    files = Files(
+        tmp_path,
+        "from launch.events import Shutdown as Event\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='p', executable='e', on_exit=Event()), LaunchConfiguration('x')])",
+    )
+    found = files.read(Launch())
+    assert not [a for a in found.actions if not isinstance(a, (StartNode, OnEvent))]
+    assert sorted(f"{f.code} {f.message.partition(':')[0]}" for f in files.python.findings) == [
+        "RW320 launch.events.Shutdown is not a launch entity",
+        "RW320 launch.substitutions.LaunchConfiguration is not a launch entity",
+    ]
+
+
 def test_the_place_is_that_of_the_call(tmp_path: Path) -> None:
     """Where a helper function makes a node, the helper is the place."""
     files = Files(

@@ -211,6 +211,25 @@ def test_launch_files_are_no_nodes(tmp_path: Path) -> None:
     ]
 
 
+def test_a_weak_name_alone_makes_no_launch_file_of_yaml(tmp_path: Path) -> None:
+    """Other tools call their files `…_launch.yml`, too; launch reads none without its key, and tells so of what is named for it."""
+    found = read(
+        tmp_path,
+        {
+            "a.py": "",
+            "windows_launch.yml": "name: windows\nwindows:\n- launch: ros2 launch demo demo.launch.py\n",
+            "robot_launch.yaml": "# robot\nlaunch:\n- node: {pkg: demo, exec: talker}\n",
+            "flow_launch.yml": "{'launch': []}\n",
+            "empty.launch.yaml": "name: empty\n",
+        },
+    )
+    assert [file.relative for file in found.launch_files] == [
+        "empty.launch.yaml",
+        "flow_launch.yml",
+        "robot_launch.yaml",
+    ]
+
+
 def test_build_scripts_are_no_nodes_but_a_module_named_setup_is(tmp_path: Path) -> None:
     files = python_package("demo") | {"demo/demo/setup.py": "import rclpy\n"}
     found = read(tmp_path, files)

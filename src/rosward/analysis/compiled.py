@@ -21,6 +21,7 @@ from rosward.analysis.kept_programs import Kept, KeptProgram
 from rosward.analysis.linked_functions import LinkedFunction, creating_functions
 from rosward.analysis.plugins import Plugins, plugins_of
 from rosward.analysis.ros_headers import RosHeaders
+from rosward.analysis.unlinked import Unlinked, unlinked_libraries
 from rosward.effects.entry import Entry
 from rosward.findings import Finding, Findings
 from rosward.frontends.cpp.headers import Headers
@@ -135,6 +136,28 @@ class Compiled:
         found = {file.text: creating_functions(program, file, creating) for file in files}
         linked = self._linked[name]
         self._linked[name] = linked._replace(functions={**linked.functions, **found})
+        return found
+
+    def unlinked(self, creating: frozenset[str]) -> Sequence[Unlinked]:
+        """The libraries that no program has been linked of and that say the name of something that creates an entity."""
+        if not self._has_parser():
+            return ()
+        programs = {**self._kept, **self._linked}
+        loads = any(programs[name].loads for name in self._planned if name in programs)
+        taken = {unit.path for planned in self._planned.values() for unit in planned.units}
+        taken |= {unit.path for unit in self._described.units} if loads else set()
+        found = guarded(
+            lambda: unlinked_libraries(self._workspace, self._builds, taken, self._headers.read, creating),
+            Place(""),
+            "libraries in C++ are not looked at",
+            net=self._net,
+        )
+        if isinstance(found, Finding):
+            self.findings.add(found)
+            return ()
+        for each in found:
+            entry = Entry(each.file, "", "", (), None, None, each.name, program=each.name)
+            self._planned.setdefault(each.name, Planned(entry, each.units, True))
         return found
 
     def component_places(self, name: str) -> Sequence[Place]:

@@ -68,7 +68,7 @@ class Kept(NamedTuple):
 
 
 _ASKED: Final = record(HeadersAsked, TEXT, mapping(FLAG), mapping(TEXT))
-_CREATION: Final = record(LinkedCreation, TEXT, NUMBER, TEXT, PLACE)
+_CREATION: Final = record(LinkedCreation, TEXT, NUMBER, TEXT, PLACE, FLAG)
 _FUNCTIONS: Final = sequence(record(LinkedFunction, TEXT, TEXT, FLAG, sequence(_CREATION)))
 _PROGRAM: Final = record(
     KeptProgram,

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rosward.ir.cpp import InvokeMember, MakeLambda, Name
 from rosward.ir.op import Op, walk
@@ -18,16 +18,27 @@ if TYPE_CHECKING:
     from rosward.frontends.cpp.symbol_file import FileSymbols
     from rosward.frontends.cpp.symbols import CppSymbols
 
-__all__ = ["LinkedCreation", "LinkedFunction", "creating_functions"]
+__all__ = ["CREATORS", "LinkedCreation", "LinkedFunction", "creating_functions"]
+
+
+CREATORS: Final = frozenset(
+    {"TransformBroadcaster", "StaticTransformBroadcaster", "TransformListener", "Subscriber", "create_server"}
+)
+_LIBRARIES: Final = frozenset({"tf2_ros", "message_filters", "rclcpp_action"})
+"""Classes and functions that create entities on a node that they are given, and the name spaces in which they are."""
 
 
 class LinkedCreation(NamedTuple):
-    """A call of what creates an entity: its operation, by the key of the body and its number there; what is called, and where."""
+    """A call of what creates an entity: its operation, by the key of the body and its number there; what is called, and where.
+
+    `made`: it is a class, or a function of a library, that does so; whether that is reached is not known.
+    """
 
     body: str
     number: int
     name: str
     place: Place
+    made: bool = False
 
 
 class LinkedFunction(NamedTuple):
@@ -41,7 +52,7 @@ class LinkedFunction(NamedTuple):
 
 def creating_functions(program: CppSymbols, file: FileSymbols, creating: frozenset[str]) -> tuple[LinkedFunction, ...]:
     """Those of one of the files of a program."""
-    wanted = re.compile(rb"\b(?:" + "|".join(map(re.escape, sorted(creating))).encode() + rb")\b")
+    wanted = re.compile(rb"\b(?:" + "|".join(map(re.escape, sorted(creating | CREATORS))).encode() + rb")\b")
     names = {each.arguments[0] for each in file.parsed.prepared.registrations if each.arguments}
     plugins = {"::".join(filter(None, (*s.scope, s.name))) for name in names for s in program.registered_class(name)}
     found: list[LinkedFunction] = []
@@ -55,11 +66,13 @@ def creating_functions(program: CppSymbols, file: FileSymbols, creating: frozens
 def _function(symbol: CppSymbol, code: Code, plugins: set[str], creating: frozenset[str]) -> LinkedFunction:
     shown = "::".join((*filter(None, symbol.scope), symbol.name))
     plugin = "::".join(filter(None, symbol.scope)) in plugins
-    creations = tuple(
-        LinkedCreation(body.key, op.number, name, Place(body.file, op.line, op.column))
-        for body, name, op in _creations(code, creating)
-    )
-    return LinkedFunction(code.key, shown, plugin, creations)
+    creations: dict[object, LinkedCreation] = {}
+    for body, name, op in _creations(code, creating):
+        made = name not in creating  # a type may be named twice where one object of it is made
+        key = (op.line, name) if made else (body.key, op.number)
+        place = Place(body.file, op.line, op.column)
+        creations.setdefault(key, LinkedCreation(body.key, op.number, name, place, made))
+    return LinkedFunction(code.key, shown, plugin, tuple(creations.values()))
 
 
 def _creations(code: Code, creating: frozenset[str]) -> Iterator[tuple[Code, str, Op]]:
@@ -72,5 +85,11 @@ def _creations(code: Code, creating: frozenset[str]) -> Iterator[tuple[Code, str
                 waiting.append(op.code)
             elif isinstance(op, InvokeMember) and op.name in creating:
                 yield body, op.name, op
-            elif isinstance(op, Name) and op.parts[-1].name in creating:
+            elif isinstance(op, Name) and (op.parts[-1].name in creating or _is_creator(op)):
                 yield body, op.parts[-1].name, op
+
+
+def _is_creator(op: Name) -> bool:
+    """Whether it names what creates entities, of a library that is known for it."""
+    names = [part.name for part in op.parts]
+    return names[-1] in CREATORS and len(names) > 1 and names[-2] in _LIBRARIES

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from rosward.analysis.compiled import Compiled
     from rosward.analysis.linked_functions import LinkedFunction
     from rosward.analysis.summaries import Summaries
+    from rosward.analysis.unlinked import Unlinked
     from rosward.frontends.cpp.symbols import CppSymbols
 
 _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null": "RW001"}
@@ -162,6 +163,10 @@ class SourceTree:
     ) -> Mapping[str, Sequence[LinkedFunction]]:
         """The functions of a program in C++ that would create an entity, by file: of those of its files that are wanted."""
         return {} if self._compiled is None else self._compiled.creating_functions(name, creating, wanted)
+
+    def unlinked(self, creating: frozenset[str]) -> Sequence[Unlinked]:
+        """The libraries in C++ that no program is linked of, and that would create an entity."""
+        return () if self._compiled is None else self._compiled.unlinked(creating)
 
     def component_places(self, name: str) -> Sequence[Place]:
         """Where the class is declared of which a program in C++ makes a component."""

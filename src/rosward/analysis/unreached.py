@@ -35,7 +35,9 @@ def unreached_of(
 ) -> list[Finding]:
     """What `unreached` finds, and the same of the programs that are linked."""
     found = unreached(seen, modules, facts, sources.created)
-    names = dict.fromkeys(each.program for each in seen if each.program)
+    names = dict.fromkeys((each.program for each in seen if each.program), False)
+    if everywhere:
+        names |= {each.name: each.loadable for each in sources.unlinked(facts.creating) if each.name not in names}
     if names:
         from rosward.analysis.unreached_linked import unreached_linked
 

@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 
+_TELLING: Final = (Choice, Const)
+
+
 def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     """Follow the way that the test decides, or both."""
     frame.op, frame.sequence = op, 0
@@ -37,13 +40,13 @@ def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     test = frame.registers[op.test]
     frame.uncertain += 1
     try:
-        if test.__class__ is Choice:
-            parameter_table.follow(machine, test, sense=True)
+        if test.__class__ in _TELLING:
+            parameter_table.tell(machine, test, _asked(op.then, frame), sense=True)
         first = machine.run(op.then, frame)
         after = Snapshot(frame.registers, machine.state) if first else None
         machine.resume(frame, before)
-        if test.__class__ is Choice:
-            parameter_table.follow(machine, test, sense=False)
+        if test.__class__ in _TELLING:
+            parameter_table.tell(machine, test, _asked(op.orelse, frame), sense=False)
         second = machine.run(op.orelse, frame)
     finally:
         frame.uncertain -= 1
@@ -53,6 +56,11 @@ def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
         machine.resume(frame, after)
         return None
     return None if second else False
+
+
+def _asked(block: ops.Block, frame: Frame) -> list[Value]:
+    """The values of which the test of a branch says something."""
+    return [frame.registers[op.src] for op in block if op.__class__ is ops.Assume]
 
 
 def leave(machine: Engine, op: ops.Return, frame: Frame) -> bool:

@@ -45,7 +45,7 @@ def escape(machine: Engine, values: Iterable[Value], library: str, callee: Value
     foreign = callee is not None and creates_nothing(callee)
     reads = callee is not None and only_reads(callee)
     for value in values:
-        _reach(machine, value, "" if foreign else library, 0, seen)
+        _reach(machine, value, "" if foreign else library, callee, 0, seen)
         if not reads:
             change(machine, value, library)
 
@@ -66,7 +66,14 @@ def name_of(value: Value) -> str:
     return getattr(value, "name", "") or "something unknown"
 
 
-def _reach(machine: Engine, value: Value, library: str, depth: int, seen: set[int]) -> None:
+def _cause(library: str, callee: Value | None) -> str:
+    """By what findings about one library, or one object that is not known, are put together: what settles one settles them all."""
+    if isinstance(callee, Unknown) and callee.reasons:
+        return f"passed to {callee.reasons[0]}"
+    return f"passed to {library.partition('.')[0]}"
+
+
+def _reach(machine: Engine, value: Value, library: str, callee: Value | None, depth: int, seen: set[int]) -> None:
     for option in options(value):
         option = option.target if isinstance(option, Pointer) else option  # noqa: PLW2901 - what a pointer leads to
         if isinstance(option, (Function, BoundMethod, Partial)):
@@ -80,10 +87,10 @@ def _reach(machine: Engine, value: Value, library: str, depth: int, seen: set[in
         elif isinstance(option, Tuple):
             if depth < _DEPTH:
                 for item in option.items:
-                    _reach(machine, item, library, depth + 1, seen)
+                    _reach(machine, item, library, callee, depth + 1, seen)
         elif isinstance(option, Ref) and option.address not in seen:
             seen.add(option.address)
-            _reach_object(machine, option, library, depth, seen)
+            _reach_object(machine, option, library, callee, depth, seen)
 
 
 def _is_library(value: Value) -> bool:
@@ -92,7 +99,7 @@ def _is_library(value: Value) -> bool:
     return not isinstance(value, Function) or declared.is_model(value)
 
 
-def _reach_object(machine: Engine, ref: Ref, library: str, depth: int, seen: set[int]) -> None:
+def _reach_object(machine: Engine, ref: Ref, library: str, callee: Value | None, depth: int, seen: set[int]) -> None:
     obj = machine.obj(ref)
     if obj.kind == "generator":
         machine.schedule(ref, (), BY_LIBRARY)
@@ -100,13 +107,15 @@ def _reach_object(machine: Engine, ref: Ref, library: str, depth: int, seen: set
         machine.trace.handed.setdefault(ref, machine.place)
         if not library:
             return  # it knows nothing of ROS
-        if machine.is_node(ref.address):
-            machine.report("RW202", f"a node is passed to {library}; what that creates is unknown")
-        elif holds_node(machine, ref):
-            machine.report("RW202", f"an object that holds a node is passed to {library}; what that creates is unknown")
+        is_node = machine.is_node(ref.address)
+        if is_node or holds_node(machine, ref):
+            what = "a node" if is_node else "an object that holds a node"
+            machine.report(
+                "RW202", f"{what} is passed to {library}; what that creates is unknown", (_cause(library, callee),)
+            )
         held = obj.attrs.get(CONTENTS)
         if held is not None and depth < _DEPTH:
-            _reach(machine, held, library, depth + 1, seen)
+            _reach(machine, held, library, callee, depth + 1, seen)
     elif depth < _DEPTH:
         for item in contents(obj):
-            _reach(machine, item, library, depth + 1, seen)
+            _reach(machine, item, library, callee, depth + 1, seen)

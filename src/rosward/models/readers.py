@@ -8,6 +8,7 @@ bus.readinto(self.buf)           not known, so it may change
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
 from rosward.domain.compound import External, Native
@@ -38,23 +39,39 @@ _FOREIGN: Final = _READ | {
 """Libraries that create nothing on a node that they get hold of: they know nothing of ROS, or only ask the graph."""
 
 
+_IN_CPP: Final = re.compile(
+    r"(?:Q[A-Z]\w*|Ui)(?:\.|$)"
+    r"|BT\.\w+\.(?:name|getInput|setOutput|config|status|isHalted|UID|fullPath|registrationName|emitWakeUpSignal)$"
+)
+"""Classes of Qt, what its tools make of the description of a window, and what a node of a behaviour tree is asked: its base knows nothing of ROS."""
+
+
 def creates_nothing(callee: Value) -> bool:
     """Whether it is known of what is called that it creates nothing on a node."""
-    return _dotted(callee).partition(".")[0] in _FOREIGN
+    return all(name.partition(".")[0] in _FOREIGN or _IN_CPP.match(name) for name in _dotted(callee))
 
 
 def only_reads(callee: Value) -> bool:
     """Whether it is known of what is called that it changes nothing: what a message holds is plain data, so nothing of it does."""
     if isinstance(callee, Unknown) and callee.reasons and all(r.cause is Cause.MESSAGE for r in callee.reasons):
         return True
-    name = _dotted(callee)
+    return all(_reads(name) for name in _dotted(callee))
+
+
+def _reads(name: str) -> bool:
     last = name.rpartition(".")[2]
     return name.partition(".")[0] in _READ and last not in _WRITE and not last.endswith("_into")
 
 
-def _dotted(callee: Value) -> str:
+def _dotted(callee: Value) -> list[str]:
+    """The names under which it may be known, all of which have to be asked: of what a star import gives, one for each module that may have it."""
     if isinstance(callee, (External, Native)):
-        return callee.name
-    if isinstance(callee, Unknown) and len(callee.reasons) == 1 and callee.reasons[0].cause is Cause.CALL:
-        return callee.reasons[0].subject
-    return ""
+        return [callee.name]
+    if isinstance(callee, Unknown) and len(callee.reasons) == 1:
+        cause, subject, _ = callee.reasons[0]
+        if cause is Cause.CALL:
+            return [subject]
+        if cause is Cause.MODULE:
+            modules, _, name = subject.rpartition(": ")
+            return [f"{module}.{name}" for module in modules.split(" or ")]
+    return [""]

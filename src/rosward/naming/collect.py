@@ -8,7 +8,7 @@ from typing import Final
 
 from rosward.domain.compound import Tuple
 from rosward.domain.text import pattern
-from rosward.domain.unknown import causes_of
+from rosward.domain.unknown import Cause, causes_of
 from rosward.domain.values import Const, Value
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.findings import Finding, Findings
@@ -18,7 +18,7 @@ from rosward.naming.doubts import invalid_name, unknown_name, unknown_node, unkn
 from rosward.naming.final_name import command_lines, final_name, remaps_of
 from rosward.naming.flows import both, with_flows
 from rosward.naming.implicit import Identity
-from rosward.naming.options import NameOption, interface_types, name_options, together
+from rosward.naming.options import NameOption, interface_types, made_of_something, name_options, together
 from rosward.naming.resolved import ACTIONS, resolved
 from rosward.records import NamedTuple, replace
 from rosward.ros import names
@@ -92,12 +92,18 @@ def _with_interface(node: Node, process: Process, lacks: tuple[str, ...]) -> Nod
     interface, given = process.interface, process.lacks
     if interface is Interface.UNKNOWN:
         return replace(node, interface=interface, lacks=given)
-    nameless = sorted({e.kind.value for e in node.entities if e.resolution is Resolution.UNKNOWN and not e.system})
-    reasons = (
-        *dict.fromkeys((*given, *node.lacks, *lacks)),
-        *(f"RW101: the name of a {kind} is unknown" for kind in nameless),
+    nameless = sorted(
+        {_nameless(e) for e in node.entities if e.resolution is Resolution.UNKNOWN and not e.system},
     )
+    reasons = (*dict.fromkeys((*given, *node.lacks, *lacks)), *nameless)
     return replace(node, interface=Interface.PARTIAL if reasons else interface, lacks=reasons)
+
+
+def _nameless(entity: Entity) -> str:
+    """What the interface of a node lacks by an entity without a name."""
+    if entity.reasons and all(reason.startswith(Cause.OTHER.value) for reason in entity.reasons):
+        return f"RW108: a {entity.kind.value} is off by default"
+    return f"RW101: the name of a {entity.kind.value} is unknown"
 
 
 def _identities(log: EffectLog, effect: NodeEffect, findings: Findings) -> list[Identity]:
@@ -107,7 +113,7 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: Findings) -> list[
     rules = remaps_of(log, effect)
     found: list[Identity] = []
     spaces = name_options(together(space_value))
-    own = name_options(together(name_value))
+    own = made_of_something(name_options(together(name_value)))
     for space in spaces:
         for option in own:
             wrong = names.validate_node_name(option.text) or names.validate_namespace(names.full_namespace(space.text))
@@ -207,7 +213,7 @@ def _entities(
 ) -> list[Entity]:
     """The entities that one effect makes: one for each name and type that it may have."""
     kind = KINDS[effect.kind]
-    possible = name_options(effect.name)
+    possible = made_of_something(name_options(effect.name))
     types = interface_types(effect.type)
     result: list[Entity] = []
     for option in possible:

@@ -38,11 +38,24 @@ def _doubt(code: str, what: str, reasons: tuple[Reason, ...], place: Place) -> F
 
 def unknown_name(kind: str, entity: Entity, option: NameOption, place: Place) -> Finding:
     """An entity whose name is not completely known."""
+    if is_off_by_default(option):
+        names = ", ".join(dict.fromkeys(r.subject for r in option.reasons))
+        message = f"this {kind} is off by default: it exists, with the name that is given, once another value is given for {names}"
+        return Finding("RW108", message, place, causes_of(option.reasons, place))
     if entity.resolution is Resolution.UNKNOWN:
         return _doubt("RW101", f"the name of this {kind} is unknown", option.reasons, place)
     if _made_anew(option):
         return _name_made_anew(f"this {kind}", entity.name, place)
     return _doubt("RW102", f"the name of this {kind} is known only as {entity.name}", option.reasons, place)
+
+
+def is_off_by_default(option: NameOption) -> bool:
+    """Whether a name is one that somebody gives in place of a default for which nothing is created."""
+    return (
+        option.resolution is Resolution.UNKNOWN
+        and bool(option.reasons)
+        and all(r.cause is Cause.OTHER for r in option.reasons)
+    )
 
 
 def unknown_node(option: NameOption, place: Place, part: str = "name") -> Finding:

@@ -57,6 +57,15 @@ def name_options(value: Value) -> list[NameOption]:
     return [_as_default(name, settable) for name in found if name not in others]
 
 
+def made_of_something(names: list[NameOption]) -> list[NameOption]:
+    """Of several names those that are made of something: a text that has not been written yet is none, and the call fails with it.
+
+    An empty default of a parameter stays: there the call does fail.
+    """
+    made = [name for name in names if name.depends_on or not (name.text in ("", "/") or name.text.startswith("//"))]
+    return made or names
+
+
 def _as_default(name: NameOption, depends_on: Iterable[str]) -> NameOption:
     """The name that holds unless somebody gives another value."""
     if not depends_on:

@@ -11,6 +11,7 @@ package and its executables.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
@@ -39,6 +40,8 @@ if TYPE_CHECKING:
 
 
 _LEVELS_ABOVE: Final = 12
+_OTHERS_TOO: Final = ("_launch.yaml", "_launch.yml")
+_LAUNCH_KEY: Final = re.compile(rb"^[\s{?]*[\"']?launch[\"']?\s*:", re.MULTILINE)
 
 
 def discover(
@@ -67,7 +70,7 @@ def discover(
     findings: list[Finding] = []
     chosen = _look(starts, tree, root, findings, include_tests=include_tests)
     files = sorted({*tree.python.values()} - named)
-    launch = {path for path in files if _is_launch(path)} | named
+    launch = {path for path in files if _is_launch(path)} | {path for path in tree.launch if _has_key(path)} | named
     named_setup = [path for path in files if path.endswith(f"{os.sep}setup.py") and path not in chosen]
     scripts = {path for path in named_setup if is_build_script(path)}
     tree.skipped += [(path, SkipReason.BUILD_SCRIPT) for path in sorted(scripts)]
@@ -95,7 +98,7 @@ def discover(
     return Workspace(
         root=root,
         files=tuple(sorted(sources, key=_by_name)),
-        launch_files=tuple(sorted((record(path, module=False) for path in {*launch, *tree.launch}), key=_by_name)),
+        launch_files=tuple(sorted((record(path, module=False) for path in launch), key=_by_name)),
         packages=packages,
         executables=tuple(started),
         interface_files=tuple(sorted((record(path, module=False) for path in set(tree.interfaces)), key=_by_name)),
@@ -196,6 +199,14 @@ def _is_launch(path: str) -> bool:
         return False
     data = read_bytes(path, path, limits.PYTHON_FILE)
     return isinstance(data, bytes) and b"generate_launch_description" in data
+
+
+def _has_key(path: str) -> bool:
+    """Whether a YAML file that is named `…_launch.yaml` is one: launch reads none without the key `launch`, and other tools have such names, too."""
+    if not path.endswith(_OTHERS_TOO):
+        return True
+    data = read_bytes(path, path, limits.LAUNCH_YAML_TEXT)
+    return not isinstance(data, bytes) or _LAUNCH_KEY.search(data) is not None
 
 
 def _describe_all(

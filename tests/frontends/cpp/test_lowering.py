@@ -96,7 +96,7 @@ def test_literals(literal: str, value: object) -> None:
         ("continue;", ["syntax continue;"]),
         ("break;", ["syntax break;"]),
         ("switch (1) { case 1: continue; }", ["syntax continue;"]),
-        ("switch (1) { g(); case 1: break; }", ["syntax g();"]),
+        ("switch (1) { g(); case 1: break; }", []),
         ("for (int i = 0; i < 3; i++) ; for (;;) { break; } do { } while (g()); { } ;", []),
         ("Guard guard(mutex_); int h(int); extern int y; struct A; [[maybe_unused]] int z = 1; static_assert(true);", []),
         ("Guard one(std::mutex), two(A()), three{}, four = {}; (a.*m)(1); this->x; int A::* p = &A::x;", ["syntax this"]),

@@ -46,6 +46,8 @@ _DESCRIPTION: Final = "launch.launch_description.LaunchDescription"
 _UNCHANGED: Final = "launch.action.Unchanged"
 _SOURCE: Final = "launch.launch_description_source.LaunchDescriptionSource"
 _FORMATS: Final = {"Python": "python", "XML": "xml", "YAML": "yaml"}
+_NO_ENTITIES: Final = ("launch.events.", "launch_ros.events.", "launch.substitutions.", "launch_ros.substitutions.")
+"""What launch and its relatives have beside actions, and cannot execute."""
 _DEEPEST: Final = 60
 _MOST: Final = 10_000
 
@@ -218,6 +220,9 @@ class Actions:
                 return (Unread(place=here, why=f"{kind.rpartition('.')[2]} is not analysed: {NOT_READ[each]}"),)
         cls = objects.machine.obj(ref).cls
         name = cls.name if isinstance(cls, (Class, External)) else objects.machine.obj(ref).kind
+        if kind.startswith(_NO_ENTITIES):
+            objects.tell("RW320", f"{kind} is not a launch entity: it starts nothing, and launch fails here", here)
+            return ()
         return (Unread(place=here, why=f"{name} is not a known launch entity"),)
 
     def _read_as(self, ref: Ref) -> str:

@@ -363,10 +363,12 @@ def _library(machine: Engine, env: ModuleValue, name: str, using: tuple[Scope, .
     candidates = list(dict.fromkeys(_used_libraries(machine, env, using)))
     native = machine.library.native
     known = [c for c in candidates if native(f"{c}.{name}") or native(f"{c}.{name}.new")]
+    if known or native(name):  # a macro of a library is in no namespace
+        return known[0] if known else ""
     others = [
         c for c in candidates if not c.startswith("std.")
     ]  # namespaces of literals and placeholders have nothing else
-    return known[0] if known else others[0] if len(others) == 1 else ""
+    return others[0] if len(others) == 1 else ""
 
 
 def _used_libraries(machine: Engine, env: ModuleValue, using: tuple[Scope, ...]) -> Iterator[str]:

@@ -110,7 +110,7 @@ def unary(machine: Engine, operator: str, value: Value) -> Value:
     held = read(machine, value)
     if operator == "not":
         decided = truth(machine, held)
-        if decided is None and held.__class__ is Choice:
+        if decided is None and held.__class__ in (Choice, Const):
             return plain.unary(machine, operator, held)
         return machine.unknown(Cause.OPERATION, "!", "bool") if decided is None else Const(not decided)
     return plain.unary(machine, operator, held)

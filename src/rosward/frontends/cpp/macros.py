@@ -16,6 +16,10 @@ from typing import Final, final
 from rosward.frontends.cpp.tokens import is_name, tokens, trimmed
 from rosward.records import NamedTuple
 
+_NOTHING: Final = "\0"
+"""An empty argument beside `##`."""
+_NO_MORE: Final = _NOTHING * 2
+"""The same of `...`: compilers take away the comma before it, in `, ##__VA_ARGS__`."""
 EITHER: Final = "__rosward_either"
 """Called with the alternatives of a macro whose definition depends on what nobody knows."""
 
@@ -150,7 +154,7 @@ class Expansion:
                 position = end + 1
             elif token in raw:
                 if _beside_paste(body, position):
-                    result += raw[token] or ["\0"]
+                    result += raw[token] or [_NO_MORE if token == macro.variadic else _NOTHING]
                 else:
                     if token not in expanded:
                         expanded[token] = self.expand(raw[token], hidden, depth + 1)
@@ -160,7 +164,7 @@ class Expansion:
             if len(result) > self.budget:
                 raise TooMuchError
         self.budget -= len(result)
-        return [t for t in _pasted(result) if t != "\0"] if "##" in body else result
+        return [t for t in _pasted(result) if t not in (_NOTHING, _NO_MORE)] if "##" in body else result
 
     def _either(self, macro: Macro) -> Macro:
         """One macro for several: its value is one of theirs."""
@@ -260,8 +264,16 @@ def _pasted(found: list[str]) -> list[str]:
         while result and result[-1] == " ":
             result.pop()
         if position < len(found) and result:
-            one = (result.pop() + found[position]).replace("\0", "")
-            result.append(one or "\0")
+            if (
+                result[-1] == ","
+            ):  # nothing is made one with a comma: it stays before what is given, and goes where that is nothing
+                if found[position] == _NO_MORE:
+                    result.pop()
+                else:
+                    result.append(found[position])
+            else:
+                one = (result.pop() + found[position]).replace(_NOTHING, "")
+                result.append(one or _NOTHING)
             position += 1
     return result
 

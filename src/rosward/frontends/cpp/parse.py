@@ -55,10 +55,13 @@ class Parsed(NamedTuple):
     def findings(self) -> list[Finding]:
         """What is to be told of it."""
         told: list[Finding] = []
+        cause = (f"what cannot be read in {self.prepared.file}",)
         for trouble in self.troubles[:_TOLD]:
             what = f"expected {trouble.missing!r} here" if trouble.missing else f"{trouble.text!r} is not understood"
             told.append(
-                Finding("RW206", f"This is no C++ that can be read: {what}.", Place(self.prepared.file, trouble.first))
+                Finding(
+                    "RW206", f"This is no C++ that can be read: {what}", Place(self.prepared.file, trouble.first), cause
+                )
             )
         return told
 

@@ -24,6 +24,8 @@ DEPTH: Final = 60
 """How deeply files may include each other, and conditions stand in each other."""
 
 _TEXT_LIMIT: Final = 4_000_000
+_GIVEN: Final = frozenset({"assert"})
+"""Macros of which the language says what they do, however somebody defines them."""
 _CALL_LINES: Final = 400
 _INCLUDE: Final = re.compile(r'"([^"\n]+)"|<([^>\n]+)>')
 
@@ -168,7 +170,7 @@ class Reading:
         match directive.name:
             case "define":
                 macro = definition(directive.text)
-                if macro is not None:
+                if macro is not None and macro.name not in _GIVEN:
                     unit.macros[macro.name] = macro
                     self.changes.append((macro.name, macro))
             case "undef":

@@ -11,6 +11,11 @@ va_arg(given, char *)                    va_arg(given, 0     )
 int (Lamp::*f)(int)                      int (*      f)(int)
 p->template set("a", 1);                 p->         set("a", 1);
 a ? b : throw E();                       a ? b : ~~~~~ E();
+template<class T, int * = nullptr>       template<class T, int *_= nullptr>
+decltype(f(x), void())                   decltype(      void())
+x.~Tree<Node>();                         x.~Tree      ();
+delete [] (v);                           delete []  v ;
+v(i) = 0;                                v(i) =+0;
 using Ts::operator()...;                 using Ts::operator()   ;
 using std::sin, std::cos;                using std::sin;using  std::cos;
 template class Tree<Node>;               nothing: it runs nothing
@@ -26,7 +31,10 @@ from typing import Final
 
 from rosward.frontends.cpp.tokens import LITERAL, blank
 
-_TYPENAME: Final = re.compile(r"(?:(?<==)|(?<=\breturn))[ \t]*\btypename\b")
+_TYPENAME: Final = re.compile(
+    r"(?:(?<==)|(?<=\breturn))\s*\btypename\b"
+    r"|(?<=[(,])\s*\btypename\b(?=[^;{}()]{0,200}::)(?=\s+[\w:]+(?:<[^;{}()]{0,200}>[\w:]*)*\s*[{(])"
+)
 _NEW_POINTERS: Final = re.compile(r"(?<=\bnew)([ \t]+[A-Za-z_][\w:]*)([ \t]*\*[ \t*]*)(?=\[)")
 _SLOTS: Final = re.compile(r"(?:(?<=\bpublic)|(?<=\bprivate)|(?<=\bprotected))[ \t]+slots\b(?=[ \t]*:)")
 _SIGNALS: Final = re.compile(r"^([ \t]*)signals(?=[ \t]*:[^:])", re.MULTILINE)
@@ -43,6 +51,16 @@ _MEMBER_POINTER: Final = re.compile(
 _MEMBER_OPERATOR: Final = re.compile(rf"{LITERAL}|[A-Za-z_]\w*|\.?\d(?:[eEpP][+-]|'?[\w.])*|\.\.\.|->\*|\.\*")
 _VA_ARG: Final = re.compile(r"(?<=\bva_arg\()(\s*\w+\s*,\s*)([\w: ]+[*& ]*)(?=\))")
 _THROW: Final = re.compile(r"(\?[^?;{}]{0,300}:|\?)(\s*)throw\b")
+
+_UNNAMED: Final = re.compile(r"\*[ \t](?=\s*=\s*(?:nullptr|NULL|0)\s*[,>])")
+_OPERANDS: Final = re.compile(r"\b(?:decltype|sizeof)\s*\(")
+_DESTRUCTOR: Final = re.compile(r"((?:\.|->)\s*~\s*\w+)(<[^;(){}]{0,200}>)(?=\s*\(\s*\))")
+_DELETE: Final = re.compile(r"(\bdelete\s*\[\s*\]\s*)\(([^();]*)\)(?=\s*;)")
+_ZERO: Final = re.compile(
+    r"(?<=[;{})])(\s*(?:else\s+)?\w+\s*\(\s*[\w.]+(?:\s*[-+*/,]\s*[\w.]+){0,20}\s*\)\s*=)[ \t](?=\s*0\s*;)"
+)
+_MOST: Final = 1_000
+"""So long is what `decltype` names, at most."""
 
 _USING_LIST: Final = re.compile(
     r"((?:^|[;{}:])[ \t]*)(using\s(?!\s*namespace\b)[^;={}()\"]*,[^;={}()\"]*)(?=;)", re.MULTILINE
@@ -71,6 +89,16 @@ def suited(text: str) -> str:
         text = _NEW_POINTERS.sub(lambda found: found[1] + " " * len(found[2]), text)
     if "..." in text:
         text = _USING_PACK.sub(r"\1   ", text)
+    if "template" in text:
+        text = _UNNAMED.sub("*_", text)
+    if "decltype" in text or "sizeof" in text:
+        text = _last_operands(text)
+    if "~" in text:
+        text = _DESTRUCTOR.sub(lambda found: found[1] + " " * len(found[2]), text)
+    if "delete" in text:
+        text = _DELETE.sub(r"\1 \2 ", text)
+    if "0" in text:
+        text = _ZERO.sub(r"\1+", text)
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
     if "slots" in text:
@@ -82,6 +110,33 @@ def suited(text: str) -> str:
     if "template" in text:
         text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_nothing, text))
     return text
+
+
+def _last_operands(text: str) -> str:
+    """The text where a `decltype` names nothing but what gives its type: the last of several operands."""
+    pieces: list[str] = []
+    position = 0
+    for found in _OPERANDS.finditer(text):
+        comma = _last_comma(text, found.end())
+        if comma and found.start() >= position:
+            pieces += (text[position : found.end()], blank(text[found.end() : comma]))
+            position = comma
+    return "".join([*pieces, text[position:]])
+
+
+def _last_comma(text: str, start: int) -> int:
+    """Where the last operand begins between parentheses that opened before `start`; 0 where there is one, or too much."""
+    depth = found = 0
+    for at in range(start, min(start + _MOST, len(text))):
+        character = text[at]
+        if character in "\"';":
+            return 0
+        depth += (character in "(<[{") - (character in ")>]}" and text[at - 1] != "-")
+        if depth < 0:
+            return found
+        if character == "," and not depth:
+            found = at + 1
+    return 0
 
 
 def _each_used(found: re.Match[str]) -> str:

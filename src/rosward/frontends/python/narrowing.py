@@ -61,6 +61,10 @@ NESTED_AT_MOST: Final = 32
 """So many operands of `and` or `or` become nested branches; more of them stand one after the other, not too deep."""
 
 
+_PLAIN: Final = (ast.Name, ast.Constant)
+"""What is narrowed where it stands, if at all: no temporary holds it."""
+
+
 class Subject(NamedTuple):
     """Something that can be narrowed: kind is 'register', 'attr', 'item', 'cell' or 'global'; `register` holds its value.
 
@@ -198,6 +202,10 @@ def conjunction(body: Body, node: ast.BoolOp) -> Outcome:
     last = len(node.values) - 1
     for number, value in enumerate(node.values):
         before = body.effects
+        if number and not isinstance(value, _PLAIN):
+            body.free_register = (
+                body.registers
+            )  # behind the test, what earlier statements left there would be among what it asks of
         register, true, false = condition(body, value)
         if body.effects != before:
             facts = [fact for fact in facts if fact.subject.kind == "register"]

@@ -15,7 +15,7 @@ from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import plain_data
 from rosward.models.ros.callbacks import callback_name
 from rosward.models.ros.given_words import context_lines, lines_of
-from rosward.models.ros.parameter_table import new_table
+from rosward.models.ros.parameter_table import in_place, new_table
 from rosward.models.ros.qos import qos_of
 
 if TYPE_CHECKING:
@@ -70,11 +70,11 @@ def create(
 
 
 def _plain_text(machine: Machine, value: Value) -> Value:
-    """A name as rclpy reads it: a member of a `str` enumeration is its text."""
+    """A name as rclpy reads it: a member of a `str` enumeration is its text. What is surely not given is not what it is."""
 
     def one(option: Value) -> Value:
         payload = machine.obj(option).payload if isinstance(option, Ref) else None
-        return payload if isinstance(payload, (Const, Text)) else option
+        return in_place(machine, payload if isinstance(payload, (Const, Text)) else option)
 
     return lift(one, value)
 

@@ -120,7 +120,7 @@ def overrides_of(machine: Machine, node: Value) -> Overrides:
         for label, values in given.items()
     }
     found.update({label: (value, True) for label, value in own.items()})
-    others = (("set from outside",) if outside else ()) + (("set by parameter_overrides",) if unknown else ())
+    others = ((table.OUTSIDE,) if outside else ()) + (("set by parameter_overrides",) if unknown else ())
     return Overrides(found, others)
 
 

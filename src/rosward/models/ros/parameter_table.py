@@ -11,15 +11,17 @@ their own: what is declared as `*.depth` is not what stands under `*.topic`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
+from rosward.domain.certain import text_of
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of, readable
-from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import FALSE, NONE, UNBOUND, Const, Hole, Ref, Text, Unknown, Value
+from rosward.domain.unknown import Cause, Origin, Reason
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
 from rosward.models.python.containers import dicts
@@ -37,6 +39,8 @@ UNDECLARED: Final = "__undeclared__"
 """Attribute of a node: whether it takes parameters that it never declared."""
 REFUSES: Final = "__refuses__"
 """Attribute of a node: whether something may refuse a new value (a callback, a descriptor)."""
+OUTSIDE: Final = "set from outside"
+"""What the parameters are said to be that nobody here sets, and anybody may set who starts the process."""
 
 
 _EXCEPTIONS: Final = MappingProxyType({PYTHON: "rclpy.exceptions", CPP: "rclcpp.exceptions"})
@@ -156,7 +160,19 @@ def value_of(machine: Machine, node: Value, name: Value) -> Value | None:
     known = [o for o in options(found.value) if found.missing is not True]
     if found.missing is not False:
         known += _of_patterns(machine, node, name)
-    return join_all(known) if known else None
+    return join_all(_stated_once(known, text_of(name))) if known else None
+
+
+def _stated_once(values: list[Value], label: str) -> list[Value]:
+    """What a parameter may be, where a default stands among it that anybody may have changed: that says it already."""
+    changeable = any(o[:2] == ("parameter", label) and not o.settled for v in values for o in origins_of(v))
+    if not changeable:
+        return values
+    return [v for v in values if not (isinstance(v, Unknown) and all(_is_outside(r) for r in v.reasons))]
+
+
+def _is_outside(reason: Reason) -> bool:
+    return reason.cause is Cause.PARAMETER and reason.subject == OUTSIDE
 
 
 def narrow(machine: Machine, before: Value, after: Value) -> None:
@@ -168,36 +184,100 @@ def narrow(machine: Machine, before: Value, after: Value) -> None:
     if len(labels) != 1:
         return
     key = Const(labels.pop())
-    nodes = {Ref(effect.address) for effect in machine.nodes_at(None)}
-    tables = {table for node in nodes if (table := table_of(machine, node)) is not None}
-    held = [table for table in tables if machine.obj(table).entries.get(key) == before]
-    if len(held) == 1 and not machine.obj(held[0]).many:
-        record = machine.obj(held[0])
-        machine.update(held[0], record.replace(entries={**record.entries, key: after}))
+    held = [table for table in _tables(machine) if machine.obj(table).entries.get(key) == before]
+    if len(held) == 1:
+        _put_entry(machine, held[0], key, after)
 
 
-_HAS: Final = "parameter that is there"
+def _exclude(machine: Machine, test: Const, asked: Sequence[Value], *, sense: bool) -> None:
+    """A test that was computed of a default comes out otherwise than with it: somebody gives the parameter another value there.
 
-
-def may_have(label: str) -> Value:
-    """The answer to whether a parameter is declared that may be: where it is yes, its origin says which one is there."""
-    return join_all((Const(True, frozenset((Origin(_HAS, label),))), FALSE))
-
-
-def follow(machine: Machine, value: Value, *, sense: bool) -> None:
-    """A test came out as `sense`: what its alternatives say about parameters holds from here on."""
-    kept = [o for o in options(value) if isinstance(o, Const) and bool(o.value) is sense]
-    labels = [o.name for option in kept for o in origins_of(option) if o.kind == _HAS]
-    if len(labels) != 1 or len(kept) != 1:
+    `if len(topic) > 0:` of a topic that is '' by default. What is asked directly is narrowed where it stands.
+    """
+    label = _open_parameter(test)
+    if label is None or bool(test.value) is sense:
         return
-    key = Const(labels[0])
-    nodes = {Ref(effect.address) for effect in machine.nodes_at(None)}
-    tables = {table for node in nodes if (table := table_of(machine, node)) is not None}
-    held = [table for table in tables if key in machine.obj(table).entries]
-    if len(held) == 1 and not machine.obj(held[0]).many:
-        record = machine.obj(held[0])
+    key = Const(label)
+    held = [(table, value) for table in _tables(machine) if (value := machine.obj(table).entries.get(key)) is not None]
+    if len(held) != 1 or held[0][1] in asked or _open_parameter(held[0][1]) != label:
+        return
+    if isinstance(held[0][1], Const) and isinstance(held[0][1].value, str):
+        _put_entry(machine, held[0][0], key, _another(machine, label))
+
+
+def in_place(machine: Machine, value: Value) -> Value:
+    """A value where what it was computed of is no longer the default of its parameter, as a test found out."""
+    label = _open_parameter(value)
+    if label is None:
+        return value
+    held = [v for table in _tables(machine) if (v := machine.obj(table).entries.get(Const(label))) is not None]
+    return held[0] if len(held) == 1 and _is_excluded(held[0]) else value
+
+
+def _is_excluded(value: Value | None) -> bool:
+    """Whether a parameter has what somebody gives in place of its default."""
+    return isinstance(value, Unknown) and bool(value.reasons) and all(r.cause is Cause.OTHER for r in value.reasons)
+
+
+def _open_parameter(value: Value) -> str | None:
+    """The one parameter of whose default a known value was computed, where nothing else decides it."""
+    open_ = [o for o in origins_of(value) if not o.settled] if isinstance(value, Const) else []
+    return open_[0].name if len(open_) == 1 and open_[0].kind == "parameter" else None
+
+
+def _another(machine: Machine, label: str) -> Value:
+    return Unknown((Reason(Cause.OTHER, label, machine.place),), "str")
+
+
+def _tables(machine: Machine) -> list[Ref]:
+    """The tables of all nodes, as far as each is of one node alone."""
+    nodes = dict.fromkeys(Ref(effect.address) for effect in machine.nodes_at(None))
+    return list(dict.fromkeys(table for node in nodes if (table := table_of(machine, node)) is not None))
+
+
+def _put_entry(machine: Machine, table: Ref, key: Const, value: Value) -> None:
+    record = machine.obj(table)
+    if not record.many:
+        machine.update(table, record.replace(entries={**record.entries, key: value}))
+
+
+_HAS: Final = "parameter that is there, of "
+
+
+def may_have(machine: Machine, node: Value, label: str) -> Value:
+    """The answer to whether a parameter is declared that may be: where it is yes, its origin says which one is there, and of which node.
+
+    What is only known as one of those that anybody may have given gets an entry of its own for that: one that may be absent.
+    """
+    if not isinstance(node, Ref):
+        return join_all((TRUE, FALSE))
+    table, key = table_of(machine, node), Const(label)
+    value = None if table is None or key in machine.obj(table).entries else value_of(machine, node, key)
+    if value is not None:
+        put(machine, node, key, value, sure=False)
+    return join_all((Const(True, frozenset((Origin(f"{_HAS}{node.address}", label),))), FALSE))
+
+
+def tell(machine: Machine, test: Value, asked: Sequence[Value], *, sense: bool) -> None:
+    """A test came out as `sense`: what that says about parameters holds from here on. `asked`: the values that it asks about."""
+    if isinstance(test, Choice):
+        _follow(machine, test, sense=sense)
+    elif isinstance(test, Const) and test.origins:
+        _exclude(machine, test, asked, sense=sense)
+
+
+def _follow(machine: Machine, value: Value, *, sense: bool) -> None:
+    """What the alternatives of a test say that are so, of which parameters are there."""
+    kept = [o for o in options(value) if isinstance(o, Const) and bool(o.value) is sense]
+    found = [o for option in kept for o in origins_of(option) if o.kind.startswith(_HAS)]
+    if len(found) != 1 or len(kept) != 1:
+        return
+    node, key = Ref(int(found[0].kind.removeprefix(_HAS))), Const(found[0].name)
+    table = table_of(machine, node)
+    if table is not None and not machine.obj(node).many and not machine.obj(table).many:
+        record = machine.obj(table)
         if key in record.maybe:
-            machine.update(held[0], record.replace(maybe=record.maybe - {key}))
+            machine.update(table, record.replace(maybe=record.maybe - {key}))
 
 
 def not_declared(machine: Machine, name: Value, method: str) -> Value:

@@ -168,7 +168,7 @@ def _has(call: NativeCall) -> Value:
         return TRUE if answers.pop() else FALSE
     label = text_of(call.args[1])
     if label and len(options(call.args[0])) == 1:
-        return table.may_have(label)
+        return table.may_have(machine, call.args[0], label)
     return machine.unknown(Cause.PARAMETER, "whether it is declared", "bool")
 
 

@@ -40,6 +40,7 @@ _OF_FLOWS: Final = frozenset({"RW601", "RW604", "RW605", "RW606"})
 _FITTING_ENTITIES: Final[dict[str, Callable[[Entity], bool]]] = {
     "RW101": lambda entity: entity.resolution is Resolution.UNKNOWN,
     "RW102": lambda entity: entity.resolution is Resolution.PATTERN,
+    "RW108": lambda entity: entity.resolution is Resolution.UNKNOWN,
     "RW104": lambda entity: entity.type is None,
     "RW105": lambda _: False,
 }
@@ -48,6 +49,7 @@ _FITTING_NODES: Final[dict[str, Callable[[Node], bool]]] = {
     "RW102": lambda node: node.resolution is Resolution.PATTERN,
     "RW104": lambda _: False,
     "RW105": lambda node: node.resolution is Resolution.UNKNOWN,
+    "RW108": lambda _: False,
 }
 """What a finding of a code can be about, where several things are made in one line."""
 

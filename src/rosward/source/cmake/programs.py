@@ -129,6 +129,16 @@ class Builds:
         target = build.targets.get(build.aliases.get(name, name)) if build is not None else None
         return () if build is None or target is None else self._program(build, target, name, target.place).units
 
+    def libraries(self, package: str) -> Iterator[Program]:
+        """The libraries of a package, but for those of components, each with all that it is linked with."""
+        build = self.build(package)
+        if build is None:
+            return
+        of_components = {component.library for component in build.components}
+        for target in build.targets.values():
+            if target.made is not Made.PROGRAM and target.sources and target.name not in of_components:
+                yield self._program(build, target, target.name, target.place)
+
     def unbuilt(self, package: str) -> list[str]:
         """The C++ sources in the folder of a package that none of its targets has, tests and nested packages left out."""
         build = self.build(package)

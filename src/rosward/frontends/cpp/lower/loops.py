@@ -206,6 +206,12 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
     body.free_register = body.floor
 
 
+_BEFORE_CASES: Final = frozenset(
+    {"declaration", "expression_statement", "break_statement", "continue_statement", "return_statement"}
+)
+"""What may stand before the first case: nothing leads there."""
+
+
 def _switch(body: Body, node: Node) -> None:
     """Cases are tests in their order; one that is not left by `break` sets a register that opens the next."""
     body.open()
@@ -229,7 +235,7 @@ def _switch(body: Body, node: Node) -> None:
             if child.type == "case_statement":
                 open_before = _case(body, child, cases, subjects, opened, open_before)
                 body.free_register = body.floor
-            elif child.type != "declaration":
+            elif child.type not in _BEFORE_CASES:
                 body.unknown(child, "syntax")
         body.close(node)
         body.loops.pop()

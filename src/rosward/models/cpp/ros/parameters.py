@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Tuple
-from rosward.domain.text import readable
+from rosward.domain.text import origins_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.models.cpp.conversions import convert, new_map
@@ -230,9 +230,16 @@ def _as(call: NativeCall) -> Value:
         return value
     fitting = [_hinted(v, word) for v in options(value) if v != NONE and _word_of(machine, v) in (word, "")]
     if not fitting:
-        message = f"parameter {text_of(name)!r} is no {word}: InvalidParameterTypeException is thrown"
+        message = f"{_which(name, value)} is no {word}: InvalidParameterTypeException is thrown"
         return table.raise_(machine, "InvalidParameterTypeException", message, name, Const(word))
     return join_all(fitting)
+
+
+def _which(name: Value, value: Value) -> str:
+    """The parameter that is asked, for a message: by its name, or by what its value is the default of."""
+    labels = {o.name for option in options(value) for o in origins_of(option) if o.kind == "parameter"}
+    known = text_of(name) or (labels.pop() if len(labels) == 1 else "")
+    return f"parameter {known!r}" if known else "the value of this parameter"
 
 
 def _word(machine: Machine, type_: Value) -> str:

@@ -119,7 +119,7 @@ public:
   [[rosward::creator]] explicit TransformListener(BufferT & buffer, bool spin_thread = true, bool static_only = false)
   {
     const std::vector<std::string> words = {
-      "--ros-args", "-r", "__node:=" + std::string("transform_listener_impl_") + rosward::unknown("random", "address", "str")};
+      "--ros-args", "-r", "__node:=" + std::string("transform_listener_impl_") + rosward::unknown("anew", "address", "str")};
     rclcpp::NodeOptions options(words, true);
     options.start_parameter_event_publisher(false);
     options.start_parameter_services(false);
