@@ -67,6 +67,10 @@ DESIGNATED: Final = External("<designated>")
 """The first item of the braces `{.a = 1}`: the others are pairs of a name and a value."""
 
 
+_OWNING: Final = frozenset({Shape.ARRAY, Shape.LIST, Shape.MAP, Shape.PAIR})
+"""Containers that make what is in braces their own: an element may be an object that refers to something (`{{lamp, "a"}}`)."""
+
+
 def is_type(machine: Engine, value: Value) -> bool:
     """Whether a value of a library is a type that something can be made of."""
     if isinstance(value, Class) or is_message(value):
@@ -103,9 +107,9 @@ def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Va
         value = Tuple(tuple(args)) if listed else args[0]
         if pointee(type_) is not None:
             return convert_plain(machine, lift(lambda v: decayed(machine, v), read(machine, value)), type_, "init")
-        return convert_plain(
-            machine, lift(lambda v: by_operator(machine, v, type_), copied(machine, value)), type_, "init"
-        )
+        if not (isinstance(value, Tuple) and shape_of(type_) in _OWNING):
+            value = lift(lambda v: by_operator(machine, v, type_), copied(machine, value))
+        return convert_plain(machine, value, type_, "init")
     if len(args) == 1 and form in ("copy", "brace-copy") and not isinstance(args[0], Tuple):
         return copied(machine, args[0])  # a value of a library's type from another one
     handing.give_to(machine, args, type_)
@@ -303,7 +307,7 @@ def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
             keys = [(obj, linked(machine).key_in(machine, o, own, symbol.name)) for o, obj in objects]
             values = [obj.attrs[key] for obj, key in keys if key is not None and key in obj.attrs]
             if values:
-                value = join_all(values) if symbol.reference else copied(machine, join_all(values))
+                value = join_all(values) if symbol.name in own.references else copied(machine, join_all(values))
                 set_field(machine, ref, own, symbol.name, value)
 
 
@@ -350,7 +354,12 @@ def initialise(
             value = _field_of(machine, info, symbol, given.pop(0))
         else:
             value = field_default(machine, ref, info, symbol)
-            if value is None and args and symbol.type is not None and not (symbol.reference or symbol.overlaps):
+            if (
+                value is None
+                and args
+                and symbol.type is not None
+                and not (symbol.name in info.references or symbol.overlaps)
+            ):
                 value = default_value(machine, evaluate(machine, symbol.type, info.env))
         if value is UNBOUND:
             return False
@@ -363,7 +372,7 @@ def initialise(
 
 
 def _field_of(machine: Engine, info: Info, symbol: Symbol, value: Value) -> Value:
-    if symbol.reference:
+    if symbol.name in info.references:
         return value
     type_ = evaluate(machine, symbol.type, info.env) if symbol.type is not None else TypeOf("auto", ())
     if not isinstance(value, Tuple):
@@ -383,7 +392,7 @@ def field_default(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Valu
 def _first_of_field(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Value | None:
     if symbol.code is not None:
         return evaluate(machine, symbol.code, info.env, leading=(ref,))
-    if symbol.type is None or symbol.reference:
+    if symbol.type is None or symbol.name in info.references:
         return None
     type_ = evaluate(machine, symbol.type, info.env)
     if dotted(type_) == "array":

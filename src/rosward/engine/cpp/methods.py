@@ -198,7 +198,7 @@ def destroy(machine: Engine, ref: Ref, depth: int = 0) -> bool:
                 return False
         for symbol in reversed(info.fields) if depth < _NESTED else ():
             key = program.key_in(machine, ref, info, symbol.name)
-            held = machine.obj(ref).attrs.get(key) if key is not None and not symbol.reference else None
+            held = machine.obj(ref).attrs.get(key) if key is not None and symbol.name not in info.references else None
             if isinstance(held, Ref) and not destroy(machine, held, depth + 1):
                 return False
     return True

@@ -14,6 +14,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.slots import Enumerated, Overloads, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.domain.whole import Whole
 from rosward.engine.cpp.linked import linked
 from rosward.ir.symbols import TypePattern
 from rosward.models.cpp.slots import read
@@ -98,6 +99,8 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
             return External(value.value.enumeration)
         if is_char_text(value):
             return _CHARACTERS
+        if isinstance(value.value, Whole):
+            return TypeOf(value.value.named, ())
         return _OF_PLAIN.get(value.value.__class__, STRING)
     if isinstance(value, Text):
         return STRING

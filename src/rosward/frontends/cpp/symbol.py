@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Final, Protocol, final
 
+from rosward.frontends.cpp import patterns
 from rosward.frontends.cpp.declarators import dense, inner, spelled, template_parameter_name
 from rosward.frontends.cpp.lower import entry as lower
 from rosward.frontends.cpp.marks import function_of, marks_of, words_of
@@ -202,17 +203,24 @@ class CppSymbol:
 
     @cached_property
     def reference(self) -> bool:
-        """A variable that is a reference; a function that returns one."""
+        """A variable that is a reference; a function that returns one; an alias of one."""
         for child in self.function.children if self.function is not None else ():
             if child.type == "trailing_return_type" and child.named_children:
                 trailing = child.named_children[0].child_by_field_name("declarator")
                 return trailing is not None and trailing.type in _REFERENCES
+        if self.kind is SymbolKind.ALIAS:
+            return bool(self.pattern.reference)
         node = self._declarator
         while node is not None and node != self.function:
             if node.type in _REFERENCES:
                 return True
             node = inner(node)
         return False
+
+    @cached_property
+    def pattern(self) -> TypePattern:
+        """The type of a variable or alias as it is written."""
+        return patterns.declared(self.declared.whole, self.declared.node)
 
     @cached_property
     def overlaps(self) -> bool:

@@ -19,6 +19,7 @@ from rosward.domain.slots import Pointer
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Text, Unknown, Value
+from rosward.domain.whole import Whole
 from rosward.models.cpp.slots import read
 from rosward.models.native import Machine, NativeCall, NativeFunction, perform
 from rosward.models.python.plain import from_python, operation, origins, spread, text_of, unknown_from
@@ -61,6 +62,8 @@ def shown(machine: Machine, value: Value, flags: Flags) -> Value:
 def _shown(machine: Machine, value: Value, flags: Flags) -> Value:
     if isinstance(value, Text) or text_of(value) is not None:
         return value
+    if isinstance(value, Const) and isinstance(value.value, Whole):
+        return from_python(machine, chr(value.value % 256), value.origins, "<<")
     if isinstance(value, Const):
         return from_python(machine, _of_constant(value.value, flags), value.origins, "<<")
     if isinstance(value, Unknown):

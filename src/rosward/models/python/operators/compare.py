@@ -19,6 +19,7 @@ from rosward.domain.slots import Enumerated
 from rosward.domain.text import matches, parts_of
 from rosward.domain.unknown import Origins
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
+from rosward.domain.whole import Whole
 from rosward.effects.shell import ORIGIN
 from rosward.models.native import Machine
 from rosward.models.python.plain import (
@@ -109,7 +110,7 @@ def kind_of(machine: Machine, value: Value) -> str:
     if value.__class__ is Unknown:
         return "" if value.hint in LOOSE_HINTS else value.hint
     if value.__class__ is Const:
-        return "int" if isinstance(value.value, Enumerated) else value.value.__class__.__name__
+        return "int" if isinstance(value.value, (Enumerated, Whole)) else value.value.__class__.__name__
     if value.__class__ is Ref:
         obj = machine.obj(value)
         return obj.kind if obj.cls != _TUPLE else "tuple"
