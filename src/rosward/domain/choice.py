@@ -283,7 +283,7 @@ def _anywhere(known: frozenset[Value], joined: Value, reason: Reason) -> Value:
 
 def _without_position(value: Value, reason: Reason) -> Value:
     if value.__class__ is Pointer:
-        return Pointer(_without_position(value.target, reason))
+        return Pointer(_without_position(value.target, reason), value.owner)
     return Slot(value.base, value.kind, Unknown((reason,), "int")) if value.__class__ is Slot else value
 
 

@@ -23,6 +23,7 @@ from rosward.engine.cpp.types import dotted, is_message, pointee
 from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.exceptions import may_raise, raises
+from rosward.models.cpp.memory import as_pointer
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
             held = lift(lambda o: as_one(machine, o, type_) if is_of_another(machine, o, type_) else o, held)
     target = pointee(type_)
     if kind == "dynamic" or (target is not None and isinstance(target, Class)):
-        made = cast(machine, held, target if target is not None else type_, kind)
+        made = as_pointer(cast(machine, held, target if target is not None else type_, kind), type_)
         return made if kind != "dynamic" or target is not None else _of_reference(machine, made)
     if not isinstance(type_, Class):
         if isinstance(type_, Unknown) or is_message(type_):

@@ -16,7 +16,7 @@ from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.domain.whole import Whole
-from rosward.engine.cpp import as_type, calls, construct, members, names
+from rosward.engine.cpp import as_type, calls, construct, endings, members, names
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
 from rosward.engine.cpp.linked import linked, record
@@ -165,8 +165,10 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     value = decayed(machine, src)
     if value.__class__ is not Unknown:
         value = copied(machine, value)
+    before = read(machine, slot) if value.__class__ is Pointer or value == NONE else NONE
     write(machine, slot, _as_declared(machine, slot, value) if _is_whole(value) else value)
-    return slot
+    is_left = before.__class__ is Pointer and before != value
+    return UNBOUND if is_left and not endings.end(machine, before) else slot
 
 
 def _is_whole(value: Value) -> bool:

@@ -23,6 +23,7 @@ from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import STRING, dotted, is_pointer_pattern, pointee, type_of
 from rosward.ir.symbols import ParameterSymbol, Signature, Symbol, SymbolKind
+from rosward.models.cpp.number_conversions import OCTETS
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.traits import NO_TYPE
 from rosward.models.cpp.types import NOT_OF_ONE, argument
@@ -39,6 +40,7 @@ _STANDARD: Final = 2
 _CONVERTED: Final = 1
 _NEVER: Final = 0
 _INTEGERS: Final = frozenset({"int", "long", "short", "unsigned", "size_t", "char"})
+_NUMBERS: Final = frozenset({"int", "bool", "double", *OCTETS.values()})
 _FLOATS: Final = frozenset({"float", "double"})
 _TEXTS: Final = frozenset({"std.string", "std.string_view", "string", "std.filesystem.path"})
 _CALLABLES: Final = (Function, BoundMethod, Partial, Overloads)
@@ -245,11 +247,12 @@ def _pointer(machine: Engine, value: Value, target: Value | None, name: str) -> 
     if not isinstance(value, Pointer):
         return _NEAR if name == "pointer" else _CONVERTED
     cls = type_of(machine, value.target)
+    other = bool(value.owner) is not name.endswith(".shared_ptr") and name in ("pointer", "std.shared_ptr")
     if cls == target or dotted(target) == "void":
         # A weak pointer may be made of a shared one: nobody knows which of them the value is.
-        return _TEMPLATE if name.endswith("weak_ptr") else _EXACT
+        return _TEMPLATE if name.endswith("weak_ptr") or other else _EXACT
     if isinstance(cls, Class) and isinstance(target, Class):
-        return _NEAR if target in cls.mro else _NEVER if linked(machine).info(target) else _CONVERTED
+        return (_TEMPLATE if other else _NEAR) if target in cls.mro else _NEVER if linked(machine).info(target) else _CONVERTED
     return _CONVERTED
 
 
@@ -286,10 +289,13 @@ def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value
             return _CONVERTED if isinstance(value, Const) else _EXACT
         if words & _INTEGERS:
             return _STANDARD if isinstance(value, Const) and len(str(value.value)) == 1 else _NEVER
-    elif own in (TypeOf("int", ()), TypeOf("bool", ()), TypeOf("double", ())):
-        kind = dotted(own)
-        if name == kind:
+    elif (kind := dotted(own)) in _NUMBERS:
+        if name == kind or OCTETS.get(name.removeprefix("std.")) == kind:
             return _EXACT
+        if kind in OCTETS:
+            return (
+                _NEAR if name == "int" else _TEMPLATE if _is_number(name) else _NEVER if name in _TEXTS else _CONVERTED
+            )
         integer = bool(words & _INTEGERS) or name.endswith("_t")
         if integer and kind == "int":
             return _NEAR
@@ -358,7 +364,7 @@ def _may_be(machine: Engine, env: ModuleValue, symbol: Symbol, own: Value) -> bo
         return pointee(wanted) is not None
     if have == "std.string":
         return name in _TEXTS or pointee(wanted) is not None
-    if have in {"int", "double", "bool"}:
+    if have in _NUMBERS:
         return pointee(wanted) is None and name not in _TEXTS and name not in {"std.function", "function"}
     return name in {"std.function", "function"} if have == "function" else True
 

@@ -14,7 +14,18 @@ from rosward.domain.heap import Obj
 from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Value
-from rosward.engine.cpp import access, as_type, calls, construct, initialising, methods, naming, narrowing, operators
+from rosward.engine.cpp import (
+    access,
+    as_type,
+    calls,
+    construct,
+    endings,
+    initialising,
+    methods,
+    naming,
+    narrowing,
+    operators,
+)
 from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.packs import items_of
 from rosward.engine.cpp.types import pointer_to, type_of
@@ -280,9 +291,8 @@ def _static_local(machine: Engine, op: cpp.StaticLocal, frame: Frame) -> bool | 
 def _end_scope(machine: Engine, op: cpp.EndScope, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     for register in reversed(op.variables):
-        for option in options(read(machine, frame.registers[register])):
-            if isinstance(option, Ref) and not methods.destroy(machine, option):
-                return DEAD
+        if not endings.end(machine, read(machine, frame.registers[register])):
+            return DEAD
     return None
 
 

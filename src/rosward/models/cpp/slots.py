@@ -14,7 +14,7 @@ from typing import Final
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
-from rosward.domain.slots import Slot, TypeOf
+from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Value
 from rosward.domain.whole import Whole
@@ -133,7 +133,7 @@ def key_of(machine: Machine, value: Value, depth: int = 0) -> Value:
     if isinstance(value, Choice):
         return join_all(key_of(machine, option, depth) for option in value.options)
     if not isinstance(value, Ref):
-        return plain_number(value)
+        return Pointer(value.target) if isinstance(value, Pointer) else plain_number(value)
     if depth >= _DEEPEST:
         return machine.unknown(Cause.LIMIT, "key")
     obj = machine.obj(value)
