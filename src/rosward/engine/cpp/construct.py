@@ -19,10 +19,10 @@ from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.cpp import handing, names, visitors
-from rosward.engine.cpp.binding import deduce
+from rosward.engine.cpp import handing, visitors
 from rosward.engine.cpp.classes import copies, is_copied
 from rosward.engine.cpp.constructors import (
+    closed,
     constructors,
     inherited_constructors,
     inheriting,
@@ -37,7 +37,7 @@ from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.overloading import choose
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, is_message, pointee
-from rosward.engine.cpp.values import function_of, value_of, versions
+from rosward.engine.cpp.values import function_of, versions
 from rosward.engine.escape import name_of
 from rosward.ir.cpp import Form
 from rosward.ir.symbols import Symbol
@@ -165,7 +165,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
     if of_functions is not None:
         return of_functions
     if info.open:
-        cls, info = _closed(machine, cls, info, args)
+        cls, info = closed(machine, cls, info, args)
     if _is_one_of(machine, args, cls) and not copies(machine, info):
         if not is_copied(machine, cls) and all(
             isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))
@@ -206,24 +206,6 @@ def make_of_anything(machine: Engine, cls: Class, keywords: Mapping[str, Value])
         return ref if made else UNBOUND
 
     return each_apart(machine, [function_of(machine, s, info.env) for s in own], one)
-
-
-def _closed(machine: Engine, cls: Class, info: Info, args: tuple[Value, ...]) -> tuple[Class, Info]:
-    """The instance of a template that follows from the arguments of its constructor (`Box box(1)`)."""
-    template = info.symbol.template or ()
-    for symbol in constructors(machine, info):
-        function = function_of(machine, symbol, info.env)
-        signature = function.code.signature
-        if signature is None or len(signature.parameters) < len(args):
-            continue
-        found = deduce(machine, signature._replace(template=template), args, 0)
-        if any(p.name in found for p in template):
-            types = tuple(found.get(p.name, info.bindings.get(p.name, NONE)) for p in template)
-            closed = value_of(machine, names.Found((info.symbol,), info.outer), types)
-            inner = linked(machine).info(closed)
-            if isinstance(closed, Class) and inner is not None:
-                return closed, inner
-    return cls, info
 
 
 def is_one(machine: Engine, value: Value, cls: Class) -> bool:

@@ -28,7 +28,7 @@ from rosward.engine.cpp import (
 )
 from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.packs import items_of
-from rosward.engine.cpp.types import pointer_to, type_of
+from rosward.engine.cpp.types import pointee, pointer_to, type_of
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
 from rosward.engine.python import exceptions as python_exceptions
@@ -135,9 +135,10 @@ def _copy(machine: Engine, op: cpp.Copy, frame: Frame) -> bool | None:
     value = frame.registers[op.src]
     if value is UNBOUND:
         return None
-    if op.type == ops.NO_REGISTER or frame.registers[op.type].__class__ is TypeOf:
+    type_ = NONE if op.type == ops.NO_REGISTER else frame.registers[op.type]
+    type_ = pointee(type_) or type_
+    if type_ is NONE or type_.__class__ is TypeOf:
         return _kept(frame, op.dst, copied(machine, value))
-    type_ = frame.registers[op.type]
     held = read(machine, value)
     sliced = held.__class__ in (Ref, Choice) and as_type.is_of_another(machine, held, type_)
     return _kept(frame, op.dst, as_type.as_one(machine, held, type_) if sliced else copied(machine, held))

@@ -14,7 +14,7 @@ from rosward.frontends.cpp import patterns
 from rosward.frontends.cpp.declarators import dense, inner, spelled, template_parameter_name
 from rosward.frontends.cpp.lower import entry as lower
 from rosward.frontends.cpp.marks import function_of, marks_of, words_of
-from rosward.frontends.cpp.outline import CLASSES, Declared, is_scoped, local, members
+from rosward.frontends.cpp.outline import CLASSES, Declared, has_variables, is_scoped, local, members
 from rosward.frontends.cpp.parse import Parsed
 from rosward.frontends.cpp.patterns import arguments, has_const, parameter_nodes, parameters
 from rosward.frontends.cpp.written import DefaultArgument, Written
@@ -227,7 +227,7 @@ class CppSymbol:
         """A field that shares its storage with others, of a union. A class without a name is a part of what is around it."""
         node = self.declared.node.parent
         while node is not None and node.type != "union_specifier":
-            if node.type in CLASSES and (node.child_by_field_name("name") is not None or _has_variables(node)):
+            if node.type in CLASSES and (node.child_by_field_name("name") is not None or has_variables(node)):
                 return False
             node = node.parent
         return node is not None
@@ -396,8 +396,3 @@ def _computed_type(node: Node) -> Node | None:
         else None
     )
     return type_ if type_ is not None and b"<" in (type_.text or b"") else None
-
-
-def _has_variables(node: Node) -> bool:
-    """Whether a class stands where variables are declared of it: `struct {float x; float y;} part;`."""
-    return node.parent is not None and bool(node.parent.children_by_field_name("declarator"))

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body, Want, free_cell
 from rosward.frontends.cpp.lower.functions import Function, finish, prologue, template_of
+from rosward.frontends.cpp.lower.seen import own
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import within
 from rosward.frontends.cpp.lower.variables import Returns, Variable
@@ -215,7 +216,7 @@ def _initialised(body: Body, node: Node, found: _Captures, mutable: bool) -> str
     if node.children[0].type == "&":
         found.copied.append(_Copied(name, body.slot(right), reference=True))
     else:
-        _copied(body, node, found, name, body.own(right), "", mutable)
+        _copied(body, node, found, name, body.own(right) if right is None else own(body, right), "", mutable)
     return name
 
 
