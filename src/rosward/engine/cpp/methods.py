@@ -24,6 +24,7 @@ from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import overloads
 from rosward.engine.frame import Frame
+from rosward.models.cpp.compounds import alternative
 from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.receivers import OF_PLACES
 from rosward.models.cpp.slots import read
@@ -125,6 +126,10 @@ def _of_one(
         if isinstance(function, Overloads):
             function = of_constness(function, constant=constant)
         return calls.invoke(machine, access.value(machine, function), args, types)
+    if name == "index" and declared is not None and not args:
+        position = alternative(machine, value, declared())
+        if position is not None:
+            return position
     for type_name in method_types(machine, value):
         native = machine.library.native(f"{type_name}.{name}")
         if native is not None:

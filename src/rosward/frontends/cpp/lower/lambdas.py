@@ -55,6 +55,7 @@ def _lambda(body: Body, node: Node, _want: Want) -> int:
     shared = body.shared
     declarator = node.child_by_field_name("declarator")
     inner = Body(shared, f"{body.qualname}.<lambda>", body.depth)
+    inner.function = "operator()"
     mutable = declarator is not None and any(
         child.type == "type_qualifier" and child.text == b"mutable" for child in declarator.children
     )
