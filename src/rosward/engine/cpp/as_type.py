@@ -23,7 +23,7 @@ from rosward.engine.cpp.types import dotted, is_message, pointee
 from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.exceptions import may_raise, raises
-from rosward.models.cpp.memory import as_pointer
+from rosward.models.cpp.owners import as_pointer
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:

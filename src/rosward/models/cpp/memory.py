@@ -13,32 +13,22 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.choice import join, join_all, lift, options
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.slots import Owner, Pointer, Slot, TypeOf
-from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Unknown, Value
+from rosward.domain.values import EMPTY, NONE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert, default_value, new_container
 from rosward.models.cpp.copies import copied, several, write
+from rosward.models.cpp.owners import owning
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import Shape, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import int_of, unknown_from
 
-__all__ = ["NATIVES", "OF_PLACES", "as_pointer", "owning", "pointer_to"]
-
-
-def owning(value: Value, owner: Owner) -> Value:
-    """A pointer as one that owns what it leads to, or does not."""
-    return lift(lambda v: Pointer(v.target, owner) if isinstance(v, Pointer) and v.owner != owner else v, value)
-
-
-def as_pointer(value: Value, type_: Value) -> Value:
-    """A pointer as one of a type: one that owned something alone may share it now."""
-    shared = name_of(type_).endswith(".shared_ptr") and value.__class__ in (Pointer, Choice)
-    return lift(lambda v: owning(v, "shared") if isinstance(v, Pointer) and v.owner else v, value) if shared else value
+__all__ = ["NATIVES", "OF_PLACES", "pointer_to"]
 
 
 def _owner(name: str) -> Owner:
@@ -82,6 +72,9 @@ def _make_array(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Valu
     """std::make_unique<T[]>(n)."""
     inner = type_.arguments[0] if isinstance(type_, TypeOf) and type_.arguments else TypeOf("auto", ())
     count = int_of(read(machine, args[0])) if args else None
+    if name_of(inner) == "char":  # characters are kept as the text that they make
+        text = pointer_to(machine, EMPTY)
+        return Pointer(Slot(text.target, "item", Const(0))) if isinstance(text, Pointer) else text
     known = count is not None and 0 <= count <= 1_000
     series = (
         Series(tuple(default_value(machine, inner) for _ in range(count or 0)))

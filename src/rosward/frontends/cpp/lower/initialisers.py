@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
-from rosward.frontends.cpp.lower.types import declared_type, type_of
-from rosward.ir.cpp import AddressOf, Argued, Braces, Construct, Form, MakeType
+from rosward.frontends.cpp.lower.types import builtin, declared_type, type_of
+from rosward.ir.cpp import AddressOf, Argued, Braces, Construct, Convert, Deref, Form, MakeType
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -91,6 +91,13 @@ def _new(body: Body, node: Node, _want: Want) -> int:
     made = construct(body, node, kind, given(body, node.child_by_field_name("arguments")))
     dst = body.register()
     body.emit(AddressOf(*body.place(node), dst, made))
+    if (
+        declarator is not None and builtin(node.child_by_field_name("type")) == "char"
+    ):  # kept as the text that they make
+        slot, first = body.register(), body.register()
+        body.emit(Deref(*body.place(node), slot, dst, slot=True))
+        body.emit(Convert(*body.place(node), first, slot, kind, "buffer"))
+        return first
     return dst
 
 
