@@ -62,12 +62,10 @@ def _int(machine: Machine, value: Value, type_: Value) -> Value:
             value = Const(ord(value.value), value.origins)
         if isinstance(value.value, (bool, int)):
             words = name_of(type_).split()
-            unsigned = (
-                name_of(type_).removeprefix("std.").startswith("u")
-                and name_of(type_).removeprefix("std.") not in NARROW
-            )
+            name = name_of(type_).removeprefix("std.")
+            unsigned = name.startswith(("u", "size_t")) and name not in NARROW
             number = int(value.value) % 2**64 if unsigned else truncated(int(value.value), words)
-            octet = OCTETS.get(name_of(type_).removeprefix("std."))
+            octet = OCTETS.get(name)
             return Const(number if octet is None else Whole(number, octet), value.origins)
         if isinstance(value.value, float) and math.isfinite(value.value):
             return from_python(machine, int(value.value), value.origins, "int")
