@@ -15,7 +15,7 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.slots import Overloads, Pointer, TypeOf, is_char_text
 from rosward.domain.values import Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.engine.cpp.binding import deduce
-from rosward.engine.cpp.categories import by_category, same_parameters
+from rosward.engine.cpp.categories import by_category, numbers_written, same_parameters
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.convertible import NUMBERS, TEXTS, converts, is_convertible
 from rosward.engine.cpp.enumerations import enumeration_of
@@ -23,6 +23,7 @@ from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import STRING, dotted, is_pointer_pattern, pointee, type_of
+from rosward.ir.arithmetic import SMALL, same_type
 from rosward.ir.symbols import ParameterSymbol, Signature
 from rosward.models.cpp.number_conversions import OCTETS
 from rosward.models.cpp.slots import read
@@ -53,9 +54,10 @@ def choose(
     if len(by_number) <= 1:
         return by_number or list(functions[:1])
     values = [read(machine, a) for a in args]
+    numbers = numbers_written(machine, args)
     scores: list[tuple[Function, tuple[int, ...]]] = []
     for function in by_number:
-        score = _score(machine, function, values, types)
+        score = _score(machine, function, values, types, numbers)
         if score is not None:
             scores.append((function, score))
     if not scores:
@@ -145,7 +147,11 @@ def _better(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
 
 
 def _score(
-    machine: Engine, function: Function, values: Sequence[Value], types: tuple[Value, ...]
+    machine: Engine,
+    function: Function,
+    values: Sequence[Value],
+    types: tuple[Value, ...],
+    numbers: tuple[str, ...] = (),
 ) -> tuple[int, ...] | None:
     signature = function.code.signature
     if signature is None:
@@ -161,10 +167,22 @@ def _score(
         points = max(_fits(machine, env, parameter, o, bindings, generic) for o in options(value))
         if points == _NEVER:
             return None
+        if numbers and numbers[index] and not generic.intersection(parameter.type.names):
+            points = _number(dotted(type_of_pattern(machine, env, parameter.type, bindings)), numbers[index], points)
         found.append(points)
     if bool(types) != bool(signature.template):  # f<T>(x) means a template
         found = [min(p, _TEMPLATE) for p in found] if types else found
     return tuple(found)
+
+
+def _number(name: str, number: str, points: int) -> int:
+    """How well a number whose type is written fits a type, which other types of numbers fit so well."""
+    type_ = same_type(name.removeprefix("std."))
+    if not _is_number(name):
+        return points
+    if type_ == number:
+        return _EXACT
+    return _NEAR if type_ == ("int" if number in SMALL else "double" if number == "float" else "") else _TEMPLATE
 
 
 def _parameter(signature: Signature, index: int) -> ParameterSymbol | None:
@@ -293,7 +311,8 @@ def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value
         if target is not None and dotted(target) == "char":
             return _CONVERTED if isinstance(value, Const) else _EXACT
         if words & _INTEGERS:
-            return _STANDARD if isinstance(value, Const) and len(str(value.value)) == 1 else _NEVER
+            is_char = isinstance(value, Const) and len(str(value.value)) == 1
+            return _NEVER if not is_char else _EXACT if name == "char" else _TEMPLATE if name == "int" else _STANDARD
     elif (kind := dotted(own)) in NUMBERS:
         if name == kind or OCTETS.get(name.removeprefix("std.")) == kind:
             return _EXACT
@@ -302,7 +321,7 @@ def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value
                 _NEAR if name == "int" else _TEMPLATE if _is_number(name) else _NEVER if name in TEXTS else _CONVERTED
             )
         integer = bool(words & _INTEGERS) or name.endswith("_t")
-        if integer and kind == "int":
+        if integer and (kind == "int" or (kind == "bool" and name == "int")):
             return _NEAR
         if integer or words & _FLOATS or name == "bool":
             return _TEMPLATE

@@ -13,34 +13,15 @@ from typing import TYPE_CHECKING, Final
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.survey import operator_of, word
 from rosward.frontends.cpp.lower.types import builtin
+from rosward.ir.arithmetic import INT, UNSIGNED, WIDE, common, same_type
 from rosward.ir.cpp import Convert, InvokeMember, MakeType
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 _DEPTH: Final = 12
-_INT: Final = "int"
-_UNSIGNED: Final = "unsigned int"
-_WIDE: Final = "unsigned long"
-_SUFFIXES: Final[Mapping[str, str]] = {"u": _UNSIGNED, "l": "long", "ll": "long", "z": "long"}
-_SAME: Final[Mapping[str, str]] = {
-    **dict.fromkeys(("unsigned", "uint32_t"), _UNSIGNED),
-    **dict.fromkeys(("size_t", "uint64_t", "unsigned long int", "unsigned long long", "uintptr_t"), _WIDE),
-    **dict.fromkeys(("long int", "long long", "int64_t", "ssize_t", "ptrdiff_t"), "long"),
-    "int32_t": _INT,
-    "short int": "short",
-    "int16_t": "short",
-    "uint16_t": "unsigned short",
-}
-_SMALL: Final = frozenset(
-    {"bool", "char", "short", "unsigned short", "int8_t", "uint8_t", "signed char", "unsigned char", _INT}
-)
+_SUFFIXES: Final[Mapping[str, str]] = {"u": UNSIGNED, "l": "long", "ll": "long", "z": "long"}
 _SIZES: Final = frozenset({"size", "length"})
-
-
-def same_type(name: str) -> str:
-    """An arithmetic type by the one of its names that stands for all."""
-    return _SAME.get(name, name)
 
 
 def type_written(body: Body, node: Node | None, depth: int = 0) -> str:
@@ -53,7 +34,7 @@ def type_written(body: Body, node: Node | None, depth: int = 0) -> str:
         variable = body.variable(word(node))
         return "" if variable is None or variable.raw else same_type(variable.builtin)
     if node.type == "sizeof_expression":
-        return _WIDE
+        return WIDE
     if node.type == "cast_expression":
         type_ = node.child_by_field_name("type")
         return _of_descriptor(type_)
@@ -75,8 +56,8 @@ def _of_literal(text: str) -> str:
         return "float" if text.endswith("f") else "double"
     suffix = text[len(text.rstrip("ulz")) :]
     if not suffix:
-        return _INT
-    return _WIDE if "u" in suffix and len(suffix) > 1 else _SUFFIXES.get(suffix, "")
+        return INT
+    return WIDE if "u" in suffix and len(suffix) > 1 else _SUFFIXES.get(suffix, "")
 
 
 def _of_descriptor(node: Node | None) -> str:
@@ -85,23 +66,12 @@ def _of_descriptor(node: Node | None) -> str:
     return same_type(builtin(node.child_by_field_name("type")))
 
 
-def common(one: str, other: str) -> str:
-    """The type of what is computed of two."""
-    types = {_INT if each in _SMALL else each for each in (one, other)}
-    if "" in types:
-        return _WIDE if _WIDE in types else ""
-    for wide in ("double", "float", _WIDE, "long", _UNSIGNED):
-        if wide in types:
-            return wide
-    return _INT
-
-
 def difference(body: Body, node: Node, type_: str, value: int, receivers: tuple[int, ...]) -> int:
     """A difference as its type has it: below zero it is a great number. `receivers`: of what the sizes were asked that are a part of it."""
-    if type_ not in (_UNSIGNED, _WIDE) and not receivers:
+    if type_ not in (UNSIGNED, WIDE) and not receivers:
         return value
     dst = body.register()
-    if type_ in (_UNSIGNED, _WIDE):
+    if type_ in (UNSIGNED, WIDE):
         kind = body.register()
         body.emit(MakeType(*body.place(node), kind, type_))
         body.emit(Convert(*body.place(node), dst, value, kind, "wrapped"))

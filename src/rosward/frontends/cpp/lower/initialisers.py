@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import builtin, declared_type, type_of
@@ -38,7 +39,16 @@ def _designated(node: Node) -> tuple[str, Node]:
 def arguments(body: Body, node: Node | None) -> tuple[Argued, ...]:
     """Those in an `argument_list`."""
     listed = node.named_children if node is not None else []
-    return tuple(body.argued(child) for child in listed if child.type != "comment")
+    return tuple(_argued(body, child) for child in listed if child.type != "comment")
+
+
+def _argued(body: Body, node: Node) -> Argued:
+    found, number = body.argued(node), type_written(body, node)
+    return found if number in _PLAIN else found._replace(number=number)
+
+
+_PLAIN: Final = frozenset({"", "int", "double"})
+"""Types of numbers that show in their values."""
 
 
 def given(body: Body, node: Node | None, *, copy: bool = False) -> Given:

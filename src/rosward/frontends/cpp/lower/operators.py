@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from rosward.frontends.cpp.lower.arithmetic import common, difference, receiver_of_size, type_written
+from rosward.frontends.cpp.lower.arithmetic import difference, receiver_of_size, type_written
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
@@ -16,6 +16,7 @@ from rosward.frontends.cpp.lower.seen import is_constant, seen_scope
 from rosward.frontends.cpp.lower.survey import operator_of, through_member, word
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
+from rosward.ir.arithmetic import common
 from rosward.ir.control import If, Raise
 from rosward.ir.core import NO_REGISTER, Binary, Compare, Move, Unary
 from rosward.ir.cpp import (
