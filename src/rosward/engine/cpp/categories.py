@@ -62,13 +62,13 @@ def _categories(machine: Engine, args: tuple[Value, ...]) -> list[Category] | No
 
 def _written(frame: Frame, args: tuple[Value, ...]) -> tuple[Argued, ...] | None:
     """The arguments as the operation has them that runs; None where these are not the arguments."""
-    written: tuple[Argued, ...] | None = getattr(frame.op, "arguments", None)
+    written = getattr(frame.op, "arguments", None)
     if not written or len(written) != len(args):
         return None
     for argued, value in zip(written, args, strict=True):
         if not isinstance(argued, Argued) or argued.kind == "pack" or frame.registers[argued.register] is not value:
             return None
-    return written
+    return tuple(written)
 
 
 def _category(frame: Frame, argued: Argued, value: Value) -> Category:

@@ -77,7 +77,7 @@ def is_type(machine: Engine, value: Value) -> bool:
         return True
     if not isinstance(value, (External, TypeOf)):
         return False
-    if shape_of(value) is not Shape.OTHER:
+    if shape_of(value) is not Shape.OTHER or is_enumeration(machine, value):
         return True
     name = dotted(value)
     return ("." not in name and isinstance(value, TypeOf)) or machine.library.native(f"{name}.new") is not None
