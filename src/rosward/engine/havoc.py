@@ -75,7 +75,7 @@ _ATTRIBUTES: Final = 2
 
 def holds_node(machine: Engine, ref: Ref) -> bool:
     """Whether an object is a node, or has one by its attributes, or in what they hold."""
-    return machine.log.is_node(ref.address) or _holds_node(machine, machine.obj(ref), _ATTRIBUTES, {ref.address})
+    return machine.is_node(ref.address) or _holds_node(machine, machine.obj(ref), _ATTRIBUTES, {ref.address})
 
 
 def _holds_node(machine: Engine, obj: Obj, depth: int, seen: set[int]) -> bool:
@@ -87,7 +87,7 @@ def _holds_node(machine: Engine, obj: Obj, depth: int, seen: set[int]) -> bool:
                 work.extend(option.items)
             elif isinstance(option, Ref) and option.address not in seen:
                 seen.add(option.address)
-                if machine.log.is_node(option.address):
+                if machine.is_node(option.address):
                     return True
                 if depth > 0 and _holds_node(machine, machine.obj(option), depth - 1, seen):
                     return True

@@ -12,11 +12,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from itertools import repeat
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import Alternatives, Obj
-from rosward.domain.memory import SHIFT
 from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.suspended import Suspension
 from rosward.domain.values import Choice, Const, Function, Ref, Text, Unknown, Value
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 ARRIVING: Final = ("message", "service")
 """Events with which new messages arrive as arguments."""
+_NOTHING: Final = repeat(None)
 _LEAVES: Final = frozenset((Const, Text, Unknown, Native, External))
 
 
@@ -49,11 +50,12 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     if not inside:
         return set()
     arriving: Counter[int] = Counter()
+    seen: set[tuple[int, int]] = set()
     for entry in entries:
         held.update(r.address for r in _refs((entry.callback,)))
         for ref in _refs(entry.args or ()):
             arriving[ref.address] += 1 if entry.event in ARRIVING else 2
-        held.update(r.address for obj in _only_there(machine, entry) for r in _held_by(obj))
+        held.update(r.address for obj in _only_there(machine, entry, seen) for r in _held_by(obj))
     held.update(address for address, count in arriving.items() if count > 1)
     for frame in frames:
         held.update(frame.cells)
@@ -69,14 +71,18 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     return inside.keys() - held
 
 
-def _only_there(machine: Engine, entry: Scheduled) -> Iterator[Obj]:
-    """The objects that a callback finds as they were when it was registered: those that are not here."""
+def _only_there(machine: Engine, entry: Scheduled, seen: set[tuple[int, int]]) -> Iterator[Obj]:
+    """The objects that a callback finds as they were when it was registered: those that are not here.
+
+    `seen`: the pairs of pages, by id(), that another callback had as well.
+    """
     ours = machine.state.heap.pages
     for number, page in entry.state.heap.pages.items():
-        if ours.get(number) is not page:
-            for offset, obj in enumerate(page):
-                if obj is not None and machine.state.heap.get((number << SHIFT) + offset) is None:
-                    yield obj
+        own = ours.get(number)
+        if own is not page and (pair := (id(page), id(own))) not in seen:
+            seen.add(pair)
+            here = _NOTHING if own is None else own
+            yield from (obj for obj, known in zip(page, here, strict=False) if known is None and obj is not None)
 
 
 def _held_by(obj: Obj) -> Iterator[Ref]:

@@ -97,7 +97,7 @@ def _may_be_written(machine: Engine, held: Value) -> bool:
     """Whether unknown code may put something else in place of a value: no object is replaced, nor a pointer to a node."""
     if isinstance(held, Ref):
         return False
-    return not (isinstance(held, Pointer) and isinstance(held.target, Ref) and machine.log.is_node(held.target.address))
+    return not (isinstance(held, Pointer) and isinstance(held.target, Ref) and machine.is_node(held.target.address))
 
 
 def _is_constant(machine: Engine, slot: Slot) -> bool:
