@@ -12,12 +12,11 @@ from functools import reduce
 from typing import Final
 
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Slice, Tuple
-from rosward.domain.enumerated import Enumerated
+from rosward.domain.enumerated import Enumerated, Whole
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import common
 from rosward.domain.unknown import TAKEN_FOR_NOTHING, Cause, Reason
 from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value, is_nan
-from rosward.domain.whole import Whole
 from rosward.source.location import Place
 
 MAX_OPTIONS: Final = 64
@@ -199,7 +198,7 @@ def _is_text(value: Value) -> bool:
 
 def _kind(value: Value) -> str:
     if value.__class__ is Const:
-        return "int" if value.value.__class__ in (Enumerated, Whole) else value.value.__class__.__name__
+        return "int" if isinstance(value.value, (Enumerated, Whole)) else value.value.__class__.__name__
     if value.__class__ is Text:
         return "str"
     if value.__class__ is Unknown:

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
-from rosward.domain.whole import Whole
 from rosward.engine.cpp import as_type, calls, construct, endings, members, names
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed

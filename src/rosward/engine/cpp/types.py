@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Enumerated, Overloads, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
-from rosward.domain.whole import Whole
 from rosward.engine.cpp.linked import linked
 from rosward.ir.symbols import TypePattern
 from rosward.models.cpp.slots import read

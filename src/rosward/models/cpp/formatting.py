@@ -15,11 +15,11 @@ from typing import Final
 
 from rosward.domain.choice import lift
 from rosward.domain.compound import Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.slots import Pointer
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Text, Unknown, Value
-from rosward.domain.whole import Whole
 from rosward.models.cpp.slots import read
 from rosward.models.native import Machine, NativeCall, NativeFunction, perform
 from rosward.models.python.plain import from_python, operation, origins, spread, text_of, unknown_from

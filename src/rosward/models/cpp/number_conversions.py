@@ -8,8 +8,8 @@ import struct
 from collections.abc import Callable, Mapping
 from typing import Final
 
+from rosward.domain.enumerated import Whole
 from rosward.domain.values import NONE, Const, Unknown, Value
-from rosward.domain.whole import Whole
 from rosward.models.cpp.types import Shape, name_of
 from rosward.models.native import Machine
 from rosward.models.python.plain import from_python, unknown_from

@@ -13,11 +13,11 @@ from typing import Final
 
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Value
-from rosward.domain.whole import Whole
 from rosward.models.cpp.typed import unknown_sequence
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts

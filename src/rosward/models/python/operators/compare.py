@@ -14,12 +14,12 @@ from typing import Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.series import Series
 from rosward.domain.slots import Enumerated
 from rosward.domain.text import matches, parts_of
 from rosward.domain.unknown import Origins
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
-from rosward.domain.whole import Whole
 from rosward.effects.shell import ORIGIN
 from rosward.models.native import Machine
 from rosward.models.python.plain import (
