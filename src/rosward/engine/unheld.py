@@ -16,10 +16,10 @@ from itertools import repeat
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
-from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.heap import Obj
 from rosward.domain.slots import Overloads, Pointer, Slot
-from rosward.domain.suspended import Suspension
 from rosward.domain.values import Choice, Const, Function, Ref, Text, Unknown, Value
+from rosward.engine.held import values_in
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
@@ -42,7 +42,7 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     held: set[int] = set()
     inside: dict[int, list[Ref]] = {}  # what messages and cells themselves hold
     for address, obj in machine.state.heap.items():
-        found = list(_held_by(obj))
+        found = list(_refs(values_in(obj)))
         if obj.kind == "cell" or (obj.kind == "instance" and obj.cls.__class__ is External):
             inside[address] = found
         else:
@@ -55,7 +55,7 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
         held.update(r.address for r in _refs((entry.callback,)))
         for ref in _refs(entry.args or ()):
             arriving[ref.address] += 1 if entry.event in ARRIVING else 2
-        held.update(r.address for obj in _only_there(machine, entry, seen) for r in _held_by(obj))
+        held.update(r.address for obj in _only_there(machine, entry, seen) for r in _refs(values_in(obj)))
     held.update(address for address, count in arriving.items() if count > 1)
     for frame in frames:
         held.update(frame.cells)
@@ -83,31 +83,6 @@ def _only_there(machine: Engine, entry: Scheduled, seen: set[tuple[int, int]]) -
             seen.add(pair)
             here = _NOTHING if own is None else own
             yield from (obj for obj, known in zip(page, here, strict=False) if known is None and obj is not None)
-
-
-def _held_by(obj: Obj) -> Iterator[Ref]:
-    """What an object refers to."""
-    yield from _refs(obj.attrs.values())
-    if obj.kind == "instance":
-        return
-    if obj.items:
-        yield from _refs(obj.items)
-    if obj.rest is not None:
-        yield from _refs((obj.rest,))
-    if obj.entries:
-        yield from _refs(obj.entries)
-        yield from _refs(obj.entries.values())
-    if obj.rest_key is not None:
-        yield from _refs((obj.rest_key,))
-    if obj.ends is not None:
-        yield from _refs((*obj.ends.head, *obj.ends.tail))
-    if obj.payload.__class__ is Alternatives:
-        yield from _refs(value for value, _ in obj.payload.elements)
-    if isinstance(obj.payload, Ref):
-        yield obj.payload
-    if isinstance(obj.payload, Suspension):
-        for point, values in obj.payload.points.items():
-            yield from _refs((point.function, *values))
 
 
 def _refs(values: Iterable[Value]) -> Iterator[Ref]:
