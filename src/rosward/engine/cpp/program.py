@@ -116,13 +116,10 @@ def _first_values(machine: Engine) -> None:
         variable(machine, Found((symbol,), info.env if info is not None else env, info))
 
 
-_LIBRARIES: Final = frozenset({"std", "rclcpp", "rclcpp_action", "rclcpp_lifecycle"})
-
-
 def _may_be_object(symbol: Symbol) -> bool:
     """Whether what is declared without a first value may be an object: `static Registrar<Mop> registrar;`."""
     names_ = symbol.pattern.names
-    return bool(names_) and not symbol.pattern.pointers and names_[0] not in _LIBRARIES
+    return bool(names_) and not symbol.pattern.pointers and names_[0] != "std"
 
 
 def _calls(symbol: Symbol) -> bool:
