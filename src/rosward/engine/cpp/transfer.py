@@ -136,7 +136,8 @@ def _copy(machine: Engine, op: cpp.Copy, frame: Frame) -> bool | None:
     if value is UNBOUND:
         return None
     type_ = NONE if op.type == ops.NO_REGISTER else frame.registers[op.type]
-    type_ = pointee(type_) or type_
+    if type_.__class__ is TypeOf:
+        type_ = pointee(type_) or type_
     if type_ is NONE or type_.__class__ is TypeOf:
         return _kept(frame, op.dst, copied(machine, value))
     held = read(machine, value)

@@ -69,7 +69,7 @@ def declared(whole: Node, declarator: Node) -> TypePattern:
     if whole.type == "alias_declaration":
         type_ = whole.child_by_field_name("type")
         return TypePattern() if type_ is None else written(type_)
-    return pattern(whole.child_by_field_name("type"), declarator, const=has_const(whole))
+    return pattern(whole.child_by_field_name("type"), declarator)
 
 
 def has_const(node: Node) -> bool:

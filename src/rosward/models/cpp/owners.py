@@ -35,8 +35,10 @@ def give_away(machine: Machine, ref: Ref) -> None:
         return Pointer(value.target) if value.__class__ is Pointer and value.owner == "unique" else value
 
     obj = machine.obj(ref)
-    held = (*obj.attrs.values(), *(obj.items or ()))
-    if not any(value.__class__ is Pointer and value.owner == "unique" for value in held):
+    for value in (*obj.attrs.values(), *(obj.items or ())):
+        if value.__class__ is Pointer and value.owner == "unique":
+            break
+    else:
         return
     attrs = {name: one(value) for name, value in obj.attrs.items()}
     machine.update(ref, obj.replace(attrs=attrs, items=None if obj.items is None else tuple(map(one, obj.items))))
