@@ -30,7 +30,10 @@ class Written(NamedTuple):
 
 
 class Remembered(NamedTuple):
-    """One walk: what it found, and what it left. `raising` is what may have failed in it, `beside` how often callbacks had written."""
+    """One walk: what it found, and what it left.
+
+    `raising` is what may have failed in it; `beside` how often callbacks had written when it began, `told` how often all else had changed.
+    """
 
     given: tuple[object, ...]
     tracker: Tracker
@@ -38,6 +41,7 @@ class Remembered(NamedTuple):
     result: Mark
     raising: int
     beside: int
+    told: int
 
 
 @final

@@ -190,9 +190,7 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
     run_callees(walker, op, body, seen)
     if seen.scheduled:
         schedule(walker, seen, (value,), body.pc)
-        if not owner.roots <= walker.calling:
-            walker.calling |= owner.roots
-            walker.forget()
+        walker.may_call(owner.roots)
         for _, entry in seen.scheduled:
             hidden.put_into(walker, owner, entry)
     if not seen.calls:  # a generator that goes on at the end of a loop's body is no property

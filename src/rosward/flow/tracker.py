@@ -35,14 +35,18 @@ _NO_KEYS: Final[frozenset[object]] = frozenset()
 
 @final
 class Tracker:
-    """Of one walk. `open`: it depends on more than that, so that it can't be remembered; `beside`: on what callbacks write."""
+    """Of one walk. `open`: it depends on more than that, so that it can't be remembered; `beside`: on what callbacks write.
 
-    __slots__ = ("_first", "_own", "_read", "beside", "open", "placed", "reads", "sent", "wrote")
+    `asked`: what else it depends on, for which the walker has names.
+    """
+
+    __slots__ = ("_first", "_own", "_read", "asked", "beside", "open", "placed", "reads", "sent", "wrote")
 
     def __init__(self) -> None:
         self.reads: dict[Root, Keys] = {}
         self.wrote: dict[Root, Keys] = {}
         self.placed: set[int] = set()
+        self.asked: set[object] = set()
         self.sent: dict[tuple[Sink, Chain | None], int] = {}
         self.open = False
         self.beside = False
@@ -107,6 +111,13 @@ class Tracker:
             chain = None
         self.sent[sink, chain] = self.sent.get((sink, chain), 0) | mask
 
+    def forget_ways(self) -> None:
+        """The body may have called itself: through which statements something was sent is not told."""
+        masks: dict[tuple[Sink, Chain | None], int] = {}
+        for (sink, _), mask in self.sent.items():
+            masks[sink, None] = masks.get((sink, None), 0) | mask
+        self.sent = masks
+
     def absorb(self, inner: Tracker, at: Chain, store: Store) -> None:
         """A body inside was walked through, which is called here; `store` is what stands behind it."""
         self._reads_as(inner.reads.items(), inner._first.__getitem__)
@@ -160,6 +171,7 @@ class Tracker:
 
     def _has_sent(self, inner: Tracker, at: Chain) -> None:
         self.placed |= inner.placed
+        self.asked |= inner.asked
         for (sink, chain), mask in inner.sent.items():
             self.send(sink, None if chain is None else (at + chain)[-DEEP:], mask)
         self.open = self.open or inner.open

@@ -105,6 +105,8 @@ class Walker:
         self._beside = 0  # how often `beside` became more
         self._key_sets: KeySets = {}
         self._remembered: dict[Activation, list[Remembered]] = {}
+        self._news: dict[object, int] = {}  # when what stands in no memory has changed, by what walks ask for
+        self._told = 0  # how often that happened
         self._bodies: dict[Seen, dict[str, list[Activation]]] = {}
         self._wholes: dict[str, Activation] = {}
 
@@ -194,7 +196,32 @@ class Walker:
         old = self.returned.get(entry, 0)
         if old | mask != old:
             self.returned[entry] = old | mask
-            self.forget()
+            self.tell((entry,))
+
+    def may_call(self, owners: frozenset[Root]) -> None:
+        """These objects of libraries were handed functions of the program: whoever calls methods of them may run these."""
+        new = owners - self.calling
+        if new:
+            self.calling |= new
+            self.tell(new)
+
+    def tell(self, news: Iterable[object]) -> None:
+        """Walks that have asked for these find something else from now on."""
+        self._told += 1
+        self._news.update(dict.fromkeys(news, self._told))
+        self.changed = True
+
+    def ask(self, keys: Iterable[object]) -> None:
+        """What is done here depends on these, of which no memory tells."""
+        if self.shape.tracker is not None:
+            self.shape.tracker.asked.update(keys)
+
+    def _holds(self, each: Remembered) -> bool:
+        """Whether what stands in no memory is what it was when a walk was remembered."""
+        if each.told == self._told:
+            return True
+        news, told = self._news, each.told
+        return all(news.get(key, 0) <= told for key in each.tracker.asked)
 
     def forget(self) -> None:
         """What is remembered of calls may not hold any more."""
@@ -281,20 +308,9 @@ class Walker:
 
     def enter(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Walk through a body: what it returns. One that is running already returns what it is known to, so far."""
-        known = self.arguments.get(activation)
-        if known is None:
-            known = self.arguments[activation] = list(arguments)
-        else:
-            for number, mark in enumerate(arguments):
-                if number == len(known):
-                    known.append(mark)
-                both = known[number].joined(mark)
-                if both is not known[number]:
-                    known[number] = both
-                    self.changed = True
+        self._gather(activation, arguments)
         if any(b.activation is activation for b in self.bodies):
-            if self.shape.tracker is not None:
-                self.shape.tracker.open = True
+            self.ask((activation,))
             self.recursive.add(activation)
             return self.results.get(activation, NOTHING)
         given = (tuple(arguments), pc, self.event, self.node, tuple(self.narrowed), bool(self.attempts))
@@ -302,7 +318,7 @@ class Walker:
         outer = self.shape.tracker
         for each in earlier:
             current = not each.tracker.beside or each.beside == self._beside
-            if current and each.given == given and self.memory.finds(each.tracker):
+            if current and each.given == given and self._holds(each) and self.memory.finds(each.tracker):
                 if each.tracker.beside:  # which it may have covered before it began
                     self.join_beside()
                 if outer is not None:
@@ -317,7 +333,7 @@ class Walker:
                     self.attempts[-1].mask |= each.raising
                 return each.result
         tracker = self.shape.tracker = Tracker()
-        beside = self._beside
+        beside, told = self._beside, self._told
         before = self.attempts[-1].mask if self.attempts else 0
         if self.attempts:
             self.attempts[-1].mask = 0
@@ -325,6 +341,8 @@ class Walker:
             result = self._walk(activation, arguments, pc)
         finally:
             self.shape.tracker = outer
+            if activation in self.recursive:
+                tracker.forget_ways()
             if outer is not None:
                 outer.absorb(tracker, here(self.bodies[-1]), self.memory)
         raising = self.attempts[-1].mask if self.attempts else 0
@@ -334,14 +352,33 @@ class Walker:
             left = self.memory.left(tracker, self._key_sets)
             tracker.ended(self._key_sets)
             del earlier[MOST[activation.code.language] - 1 :]
-            earlier.insert(0, Remembered(given, tracker, left, result, raising, beside))
+            earlier.insert(0, Remembered(given, tracker, left, result, raising, beside, told))
         return result
+
+    def _gather(self, activation: Activation, arguments: list[Mark]) -> None:
+        """What any call gives to a body."""
+        known = self.arguments.get(activation)
+        if known is None:
+            self.arguments[activation] = list(arguments)
+            return
+        grown = len(arguments) > len(known)
+        known += [NOTHING] * (len(arguments) - len(known))
+        for number, mark in enumerate(arguments):
+            both = known[number].joined(mark)
+            if both is not known[number]:
+                known[number] = both
+                grown = self.changed = True
+        if grown:
+            self.tell((activation,))
 
     def _walk(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Through a body."""
         known = self.arguments[activation]
         code = activation.code
-        given = known if activation in self.recursive or len(self.bodies) > _DEEP else arguments
+        given = arguments
+        if activation in self.recursive or len(self.bodies) > _DEEP:
+            self.ask((activation,))
+            given = known
         body = Body(activation, [*given, *[NOTHING] * (code.registers - len(given))], pc)
         own = activation.cells[: len(code.cells)] if code.language == CPP else ()
         if own and any(b.activation is activation for b in self.bodies):
@@ -364,7 +401,7 @@ class Walker:
         new = body.result if old is None else old.joined(body.result)
         if new is not old:
             self.results[activation] = new
-            self.changed = True
+            self.tell((activation,))
         return body.result
 
     def advance(self, activation: Activation, pc: int) -> Mark:
