@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from itertools import compress
+from operator import is_not
 from typing import final
 
 from rosward.engine.seen import Activation
@@ -31,13 +33,12 @@ class Point:
     def join(self, other: Point) -> bool:
         """Cover another one of the same body, too; whether that changed anything."""
         changed = self.memory.join(other.memory)
-        for number, theirs in enumerate(other.registers):
-            ours = self.registers[number]
-            if ours is not theirs:
-                joined = ours.joined(theirs)
-                if joined is not ours:
-                    self.registers[number] = joined
-                    changed = True
+        ours, theirs = self.registers, other.registers
+        for number in list(compress(range(len(theirs)), map(is_not, ours, theirs))):
+            joined = ours[number].joined(theirs[number])
+            if joined is not ours[number]:
+                ours[number] = joined
+                changed = True
         return changed
 
 

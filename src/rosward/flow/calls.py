@@ -32,7 +32,6 @@ from rosward.flow.released import released
 from rosward.flow.site import callees, is_native
 from rosward.flow.ways import Way, each_way, either, joined_marks
 from rosward.ir import ops
-from rosward.ir.registers import reads
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -146,7 +145,7 @@ def resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: i
     if code.is_generator or code.is_coroutine:
         return walker.advance(activation, pc)
     everything = Mark(pc)
-    for register in reads(op):
+    for register in walker.reads(op):
         mark = body.registers[register]
         everything = everything.joined(Mark(walker.memory.deep(mark), mark.roots))
     return walker.enter(activation, [everything] * len(code.parameters.names), pc)

@@ -33,10 +33,11 @@ _SLICE: Final[Root] = ("slice",)
 def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     """Any operation of which nothing else is known: what it writes depends on all that it reads."""
     mask = body.pc
-    for register in reads(op):
-        mask |= walker.memory.deep(body.registers[register])
+    operands = [body.registers[register] for register in walker.reads(op)]
+    for mark in operands:
+        mask |= walker.memory.deep(mark)
     if walker.implicit:
-        mask |= implicit.given_by(walker, [body.registers[register] for register in reads(op)])
+        mask |= implicit.given_by(walker, operands)
     given = run_callees(walker, op, body, seen)
     roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
     if given is not None:
@@ -48,7 +49,7 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
 
 def _compute(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     """Arithmetic and comparisons: of objects of a library (arrays), they give a new one; `+=` may write to the one that is there."""
-    operands = [body.registers[register] for register in reads(op)]  # one of them may be where the result stands
+    operands = [body.registers[register] for register in walker.reads(op)]  # one of them may be where the result stands
     plain(walker, op, body, seen)
     found = body.registers[op.dst]
     if getattr(op, "inplace", False):

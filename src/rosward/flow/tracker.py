@@ -90,15 +90,28 @@ class Tracker:
                 return
         _add(self.reads, root, (key,))
 
+    def _read_slots(self, root: Root, keys: Set[object], content: Content) -> None:
+        """Slots of an object are read that were not read before."""
+        if id(content) not in self._own:
+            self._first.setdefault(root, content)
+        else:
+            wrote = self.wrote.get(root, _NO_KEYS)
+            if root not in self._first or wrote is None:
+                return
+            keys = keys - wrote
+        _add(self.reads, root, keys)
+
     def meets(self, root: Root, ours: Content, theirs: Content, keys: Keys) -> None:
         """Two contents of an object, which differ under these keys, or anywhere, are joined: what is read for that, and written."""
         if keys is None:
             self.read(root, ours)
             self.read(root, theirs)
             return
-        for key in keys:
-            self.read_slot(root, key, ours)
-            self.read_slot(root, key, theirs)
+        for content in (ours, theirs):
+            known = self.reads.get(root, _NO_KEYS)
+            if known is None or not (new := keys - known):
+                return
+            self._read_slots(root, new, content)
 
     def write(self, root: Root, content: Content, keys: Iterable[object] | None) -> None:
         """An object has another content from now on, which differs under these keys, or anywhere."""
@@ -148,7 +161,7 @@ class Tracker:
 
     def _reads_as(self, read: Iterable[tuple[Root, Keys]], standing: Callable[[Root], Content]) -> None:
         """What a body inside reads is read here, as it stands."""
-        reads, first = self.reads, self._first
+        reads = self.reads
         for root, keys in read:
             known = reads.get(root, _NO_KEYS)
             if known is None:
@@ -159,15 +172,7 @@ class Tracker:
             new = keys - known if known else keys
             if not new:
                 continue
-            content = standing(root)
-            if id(content) not in self._own:
-                first.setdefault(root, content)
-            else:
-                wrote = self.wrote.get(root, _NO_KEYS)
-                if root not in first or wrote is None:
-                    continue
-                new = new - wrote
-            _add(reads, root, new)
+            self._read_slots(root, new, standing(root))
 
     def _has_sent(self, inner: Tracker, at: Chain) -> None:
         self.placed |= inner.placed

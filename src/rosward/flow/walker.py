@@ -107,6 +107,7 @@ class Walker:
         self._remembered: dict[Activation, list[Remembered]] = {}
         self._news: dict[object, int] = {}  # when what stands in no memory has changed, by what walks ask for
         self._told = 0  # how often that happened
+        self._reads: dict[ops.Op, tuple[int, ...]] = {}  # the operands of each
         self._bodies: dict[Seen, dict[str, list[Activation]]] = {}
         self._wholes: dict[str, Activation] = {}
 
@@ -144,11 +145,18 @@ class Walker:
         self.trail.__dict__.clear()
         self.__dict__.clear()
 
+    def reads(self, op: ops.Op) -> tuple[int, ...]:
+        """The registers that an operation reads."""
+        found = self._reads.get(op)
+        if found is None:
+            found = self._reads[op] = tuple(reads(op))
+        return found
+
     def _attempted(self, op: ops.Op, body: Body, seen: Seen) -> None:
         """An operation that may fail decides whether what follows in the `try` runs."""
         attempt = self.attempts[-1]
         if may_fail(op, seen):
-            for register in reads(op):
+            for register in self.reads(op):
                 attempt.mask |= self.memory.near(body.registers[register])
         if attempt.handles:
             attempt.body.pc |= demoted(attempt.mask)
