@@ -29,7 +29,7 @@ SHIFT: Final = 5
 MASK: Final = (1 << SHIFT) - 1
 _OFFSETS: Final = range(MASK + 1)
 _BLANK: Final[tuple[None, ...]] = (None,) * (MASK + 1)
-_MOST_COVERED: Final = 30_000
+_MOST_COVERED: Final = 5_000
 _MOST_KNOWN: Final = 1_000
 """Of so many sets of objects it is kept which of them are one."""
 MELTED: Final = "melted"
