@@ -283,6 +283,11 @@ class Walker:
             self.shape.tracker.beside = True
         self.memory.meet(self.beside, self._beside)
 
+    def wait(self) -> None:
+        """Others run while this waits, tasks and callbacks: they find what it wrote so far, and it finds what they write."""
+        self.leave()
+        self.join_beside()
+
     def leave(self) -> None:
         """What runs has come to its end: others may find what it wrote."""
         if self.beside.join(self.memory):
