@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import compress
 from operator import is_not
 from typing import final
@@ -147,3 +148,12 @@ def here(body: Body) -> Chain:
     """Where a body is; nothing where it is code of a model, or has not begun."""
     code = body.activation.code
     return () if body.at is code.entry or code.file.startswith("models:") else (Place(code.file, body.at.line),)
+
+
+def where(bodies: Sequence[Body]) -> Place:
+    """The statement of the user's code that is running."""
+    for body in reversed(bodies):
+        code = body.activation.code
+        if not code.file.startswith("models:"):
+            return Place(code.file, body.at.line, body.at.column)
+    return Place("", 0)

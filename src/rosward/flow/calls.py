@@ -145,7 +145,7 @@ def resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: i
     if code.is_generator or code.is_coroutine:
         return walker.advance(activation, pc)
     everything = Mark(pc)
-    for register in walker.reads(op):
+    for register in walker.sites.reads(op):
         mark = body.registers[register]
         everything = everything.joined(Mark(walker.memory.deep(mark), mark.roots))
     return walker.enter(activation, [everything] * len(code.parameters.names), pc)
