@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
@@ -11,7 +11,7 @@ from rosward.domain.memory import Heap
 from rosward.domain.state import NOTHING_DONE, State
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
-from rosward.effects.log import EffectLog
+from rosward.effects.log import EffectLog, NodeEffect
 from rosward.models.file_paths import Files
 from rosward.models.native import ResumptionKind
 from rosward.source.definitions import Definition
@@ -75,6 +75,12 @@ class FakeProcess:
         del compared
         self.state.version += 1
         return self.state.version
+
+    def is_node(self, address: int) -> bool:
+        return self.log.count_at(address) > 0
+
+    def nodes_at(self, addresses: Collection[int] | None) -> list[NodeEffect]:
+        return list(self.log.nodes) if addresses is None else self.log.nodes_at(addresses)
 
     def keep_end(self) -> None:
         raise NotImplementedError

@@ -63,6 +63,9 @@ class Execution(Protocol):
     def obj(self, ref: Ref) -> Obj:
         """The heap record behind a reference."""
 
+    def is_node(self, address: int) -> bool:
+        """Whether the object at an address is a node."""
+
     def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
         """An unknown that arises here."""
 
@@ -187,9 +190,9 @@ class EffectLog:
         """Whether it is all the same how often something is recorded: what a launch file does has an order, and stands in another log."""
         return self.launch is None
 
-    def is_node(self, address: int) -> bool:
-        """Whether the object at an address is a node."""
-        return address in self._at
+    def count_at(self, address: int) -> int:
+        """How many nodes were recorded for the object at an address; 0: it is none."""
+        return len(self._at.get(address, ()))
 
     def nodes_at(self, addresses: Collection[int]) -> list[NodeEffect]:
         """The nodes at some addresses, in the order in which they were recorded."""
@@ -206,7 +209,7 @@ class EffectLog:
 
     def assumed_node(self, machine: Execution, ref: Ref, base: Value) -> None:
         """An object whose class is not completely known is used as a node."""
-        if self.is_node(ref.address):
+        if machine.is_node(ref.address):
             return
         name = base.name if isinstance(base, External) else "an unknown base class"
         machine.report(

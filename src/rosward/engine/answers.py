@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
@@ -12,12 +12,13 @@ from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
-from rosward.engine import escape, schedule, throwing
+from rosward.engine import escape, nodes_asked, schedule, throwing
 from rosward.engine.frame import own_frame
 from rosward.findings import Finding
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
+    from rosward.effects.log import NodeEffect
     from rosward.engine.machine import Engine
     from rosward.engine.stepped import Resumption, Stepped
     from rosward.ir.program import Code
@@ -127,6 +128,19 @@ class Answers:
         self.unheld.difference_update(cells)
         self.summaries.fresh.update(cells)
         return cells
+
+    def is_node(self: Engine, address: int) -> bool:
+        """Whether the object at an address is a node."""
+        self.asked_for.add(nodes_asked.question(address))
+        return self.log.count_at(address) > 0
+
+    def nodes_at(self: Engine, addresses: Collection[int] | None) -> list[NodeEffect]:
+        """The nodes at some addresses (None: all), in the order in which they were recorded."""
+        if addresses is None:
+            self.asked_for.add(nodes_asked.ALL)
+            return list(self.log.nodes)
+        self.asked_for.update(map(nodes_asked.question, addresses))
+        return self.log.nodes_at(addresses)
 
     def load_attr(self: Engine, value: Value, name: str) -> Value:
         """value.name."""

@@ -16,6 +16,7 @@ class Budget(NamedTuple):
     `steps`: those of the main body before it is given up; `entry_steps`: those of each callback; `callback_steps`: those of all callbacks.
     `coarse`: the part of the main body's, and of those of all callbacks, after which precision is given up, so that
     what computes much comes to rest: loops are no longer followed turn by turn, nor calls in contexts of their own.
+    `unaware`: those in functions in C++ that know nothing of ROS, before those that take many are no longer followed.
     `entry_coarse`: the steps of one callback after which the same happens; `loop_steps`:
     those of one outermost loop, until it ends; `large`: the operations of a body that is then followed once for all its calls.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
@@ -34,6 +35,7 @@ class Budget(NamedTuple):
     callback_steps: int = 2_000_000
     coarse: float = 0.25
     entry_coarse: int = 30_000
+    unaware: int = 60_000
     loop_steps: int = 120_000
     large: int = 50
     depth: int = 60
@@ -50,7 +52,7 @@ class Budget(NamedTuple):
 
     def times(self, factor: float) -> Budget:
         """The budget with its steps multiplied: what `--budget` asks for."""
-        counted = ("steps", "entry_steps", "entry_coarse", "callback_steps", "loop_steps", "seconds")
+        counted = ("steps", "entry_steps", "entry_coarse", "unaware", "callback_steps", "loop_steps", "seconds")
         more = {name: type(value)(value * factor) for name, value in self._asdict().items() if name in counted}
         return self._replace(**more)
 

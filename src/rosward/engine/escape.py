@@ -100,7 +100,7 @@ def _reach_object(machine: Engine, ref: Ref, library: str, depth: int, seen: set
         machine.trace.handed.setdefault(ref, machine.place)
         if not library:
             return  # it knows nothing of ROS
-        if machine.log.is_node(ref.address):
+        if machine.is_node(ref.address):
             machine.report("RW202", f"a node is passed to {library}; what that creates is unknown")
         elif holds_node(machine, ref):
             machine.report("RW202", f"an object that holds a node is passed to {library}; what that creates is unknown")

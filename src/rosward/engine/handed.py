@@ -57,7 +57,7 @@ def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
             yield value
     elif isinstance(value, Ref):
         cls = machine.obj(value).cls
-        if isinstance(cls, Class) and (not machine.log.is_node(value.address) or _has_unknown_base(cls)):
+        if isinstance(cls, Class) and (not machine.is_node(value.address) or _has_unknown_base(cls)):
             for name, method in machine.language.own_methods(machine, cls, value):
                 if not _called(machine, name, method):
                     yield method

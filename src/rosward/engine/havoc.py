@@ -10,6 +10,7 @@ classes and nodes stay as they are: what a library does with a node is RW202.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
@@ -47,14 +48,13 @@ def _change(machine: Engine, value: Value, unknown: Value, depth: int, seen: set
             obj = machine.obj(option)
             if obj.kind in ("list", "set", "dict"):
                 inner = contents(obj)
-                changed = _changed_dict(obj, unknown) if obj.kind == "dict" else _changed_list(obj, unknown)
             elif obj.kind == "instance" and not informed and not machine.language.is_open(machine, obj):
                 continue
             elif obj.kind == "instance" and not holds_node(machine, option):
                 inner = [v for n, v in obj.attrs.items() if not n.startswith("__")]
-                changed = message_fields.opened(machine, _changed_object(obj, unknown))
             else:
                 continue
+            changed = _changed(machine, obj, unknown)
             if changed is not obj:
                 machine.update(option, changed)
         else:
@@ -62,6 +62,24 @@ def _change(machine: Engine, value: Value, unknown: Value, depth: int, seen: set
         if depth < _DEPTH:
             for each in inner:
                 _change(machine, each, unknown, depth + 1, seen, informed)
+
+
+def change_each(machine: Engine, refs: Iterable[Ref], library: str) -> None:
+    """The same for objects of which no other is reached: each for itself, whatever class it is of."""
+    unknown = machine.unknown(Cause.CALL, library)
+    for ref in refs:
+        obj = machine.obj(ref)
+        changed = _changed(machine, obj, unknown)
+        if changed is not obj:
+            machine.update(ref, changed)
+
+
+def _changed(machine: Engine, obj: Obj, unknown: Value) -> Obj:
+    if obj.kind == "dict":
+        return _changed_dict(obj, unknown)
+    if obj.kind == "instance":
+        return message_fields.opened(machine, _changed_object(obj, unknown))
+    return _changed_list(obj, unknown) if obj.kind in ("list", "set") else obj
 
 
 def contents(obj: Obj) -> list[Value]:
@@ -75,7 +93,7 @@ _ATTRIBUTES: Final = 2
 
 def holds_node(machine: Engine, ref: Ref) -> bool:
     """Whether an object is a node, or has one by its attributes, or in what they hold."""
-    return machine.log.is_node(ref.address) or _holds_node(machine, machine.obj(ref), _ATTRIBUTES, {ref.address})
+    return machine.is_node(ref.address) or _holds_node(machine, machine.obj(ref), _ATTRIBUTES, {ref.address})
 
 
 def _holds_node(machine: Engine, obj: Obj, depth: int, seen: set[int]) -> bool:
@@ -87,7 +105,7 @@ def _holds_node(machine: Engine, obj: Obj, depth: int, seen: set[int]) -> bool:
                 work.extend(option.items)
             elif isinstance(option, Ref) and option.address not in seen:
                 seen.add(option.address)
-                if machine.log.is_node(option.address):
+                if machine.is_node(option.address):
                     return True
                 if depth > 0 and _holds_node(machine, machine.obj(option), depth - 1, seen):
                     return True

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join
 from rosward.domain.state import join_objects
 from rosward.domain.values import Value
-from rosward.engine import schedule
+from rosward.engine import nodes_asked, schedule
 from rosward.engine.summaries import Call
 from rosward.engine.throwing import may_end
 from rosward.engine.told import Kind, told_of
@@ -43,6 +43,7 @@ def begun(machine: Engine) -> Call:
     """A call begins that is to be remembered."""
     call = Call(machine.state, _around(machine), _before(machine), machine.precision.effort())
     call.raised, call.begun_anew = machine.raised, len(machine.summaries.anew)
+    call.begun_nodes = len(machine.log.nodes)
     call.around_fresh, machine.summaries.fresh = machine.summaries.fresh, set()
     catcher = call.catcher = machine.catchers[-1] if machine.catchers else None
     told = machine.summaries.told if catcher is None else catcher.told
@@ -110,6 +111,7 @@ def ended(machine: Engine, place: object, key: str, call: Call) -> None:
     call.fresh = {a: heap.get(a) for a in changed & summaries.fresh - call.asked_for - call.anew}
     call.addresses = tuple(call.asked_for.union(changed - call.fresh.keys(), call.anew))
     call.records = tuple(map(heap.get, call.addresses))
+    call.nodes = nodes_asked.answered(machine.log, call.asked_for, call.begun_nodes)
     if len(summaries.calls) > _MOST:
         summaries.calls.clear()
     summaries.calls[place] = (call, *summaries.calls.get(place, ())[: _KEPT - 1])
@@ -124,6 +126,7 @@ def known(machine: Engine, place: object) -> Call | None:
             and machine.precision.allows(call.effort)
             and call.done <= state.done
             and call.around == _around(machine)
+            and nodes_asked.still_holds(machine.log, call.nodes)
             and call.anew.issuperset(machine.unheld.intersection(call.addresses))
             and call.anew <= machine.unheld
         ):
@@ -196,7 +199,6 @@ def _around(machine: Engine) -> tuple[object, ...]:
     """What a call may ask for that is no record of the heap."""
     book, trace = machine.schedule_book, machine.trace
     return (
-        len(machine.log.nodes),
         len(machine.log.classes),
         len(trace.handed),
         bool(book.entries),

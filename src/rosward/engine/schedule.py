@@ -177,11 +177,13 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
 
     for round_ in range(machine.budget.rounds * 3):
         start = (len(book.entries), machine.state.version)
-        machine.unheld = unheld(machine, book.entries.values(), frames)
+        looked = False
         merge = join if round_ < machine.budget.widen_after else widening
         for entry in [e for e in book.entries.values() if not e.exhausted]:
             if is_unchanged(machine, entry) or not _afford(machine, entry):
                 continue
+            if not looked:
+                machine.unheld, looked = unheld(machine, book.entries.values(), frames), True
             base = machine.state
             machine.state = base.copy()
             with remembered(machine, entry, base):

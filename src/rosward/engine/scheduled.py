@@ -10,6 +10,7 @@ from rosward.domain.values import Value
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.state import State
+    from rosward.engine.nodes_asked import Answered
     from rosward.source.location import Place
 
 
@@ -26,6 +27,7 @@ class Scheduled:
         "context",
         "event",
         "exhausted",
+        "nodes",
         "place",
         "read",
         "runs",
@@ -46,4 +48,5 @@ class Scheduled:
         self.exhausted = False  # it hit a limit: it is not run again
         self.runs = 0  # how often it ran
         self.read: list[tuple[int, Obj | None]] = []  # the records that it asked for when it ran last, as it found them
+        self.nodes: Answered = ()  # and which nodes it asked for
         self.around: tuple[object, ...] = ()  # what else it may have asked for (`unchanged.py`)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rosward.domain.memory import Heap
     from rosward.domain.state import EventKey, State
     from rosward.engine.catcher import Catcher
+    from rosward.engine.nodes_asked import Answered
     from rosward.engine.precision import Effort
     from rosward.engine.told import Telling, Told
     from rosward.ir.ops import Op
@@ -89,6 +90,7 @@ class Call:
         "asked_for",
         "before",
         "begun_anew",
+        "begun_nodes",
         "catcher",
         "done",
         "effort",
@@ -98,6 +100,7 @@ class Call:
         "importing",
         "left",
         "level",
+        "nodes",
         "outermost",
         "raised",
         "records",
@@ -126,6 +129,8 @@ class Call:
         self.left: tuple[Value, ...] = ()  # of a loop: what stands in the registers that it writes,
         self.stands: tuple[Op, int]  # and the operation that ran last, with what that made
         self.asked_for: frozenset[int] = frozenset()
+        self.nodes: Answered = ()  # which nodes it asked for
+        self.begun_nodes = 0  # how many there were before
         self.anew: frozenset[int] = frozenset()  # the addresses at which it makes what nothing holds any more
         self.begun_anew = 0  # how many of them there were before
         self.fresh: dict[

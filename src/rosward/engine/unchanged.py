@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
+from rosward.engine import nodes_asked
+
 if TYPE_CHECKING:
     from rosward.domain.memory import Heap
     from rosward.domain.state import State
@@ -27,20 +29,22 @@ def is_unchanged(machine: Engine, entry: Scheduled) -> bool:
     if entry.runs < _LEAST or entry.around != circumstances(machine):
         return False
     heap = machine.state.heap
-    return all(heap.get(address) is record for address, record in entry.read)
+    same = all(heap.get(address) is record for address, record in entry.read)
+    return same and nodes_asked.still_holds(machine.log, entry.nodes)
 
 
 @contextmanager
 def remembered(machine: Engine, entry: Scheduled, before: State) -> Iterator[None]:
     """A callback runs, from a state: what it reads there is noted with it."""
-    around, outer = circumstances(machine), machine.asked_for
+    around, outer, nodes = circumstances(machine), machine.asked_for, len(machine.log.nodes)
     machine.asked_for = set()
     machine.summaries.memo.clear()  # what is remembered of a call tells nothing of what the call read
     try:
         yield
     finally:
         heap: Heap = before.heap
-        entry.read = [(address, heap.get(address)) for address in machine.asked_for]
+        entry.read = [(address, heap.get(address)) for address in machine.asked_for if address >= 0]
+        entry.nodes = nodes_asked.answered(machine.log, machine.asked_for, nodes)
         entry.runs += 1
         entry.around = around
         machine.asked_for |= outer
@@ -50,7 +54,6 @@ def circumstances(machine: Engine) -> tuple[object, ...]:
     """What callbacks may ask for that is no record of the heap; all of it only grows."""
     book = machine.schedule_book
     return (
-        len(machine.log.nodes),
         len(machine.log.classes),
         len(machine.trace.handed),
         bool(book.entries),

@@ -12,14 +12,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from itertools import repeat
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
-from rosward.domain.heap import Alternatives, Obj
-from rosward.domain.memory import SHIFT
+from rosward.domain.heap import Obj
 from rosward.domain.slots import Overloads, Pointer, Slot
-from rosward.domain.suspended import Suspension
 from rosward.domain.values import Choice, Const, Function, Ref, Text, Unknown, Value
+from rosward.engine.held import values_in
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 ARRIVING: Final = ("message", "service")
 """Events with which new messages arrive as arguments."""
+_NOTHING: Final = repeat(None)
 _LEAVES: Final = frozenset((Const, Text, Unknown, Native, External))
 
 
@@ -41,7 +42,7 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     held: set[int] = set()
     inside: dict[int, list[Ref]] = {}  # what messages and cells themselves hold
     for address, obj in machine.state.heap.items():
-        found = list(_held_by(obj))
+        found = list(_refs(values_in(obj)))
         if obj.kind == "cell" or (obj.kind == "instance" and obj.cls.__class__ is External):
             inside[address] = found
         else:
@@ -49,11 +50,12 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     if not inside:
         return set()
     arriving: Counter[int] = Counter()
+    seen: set[tuple[int, int]] = set()
     for entry in entries:
         held.update(r.address for r in _refs((entry.callback,)))
         for ref in _refs(entry.args or ()):
             arriving[ref.address] += 1 if entry.event in ARRIVING else 2
-        held.update(r.address for obj in _only_there(machine, entry) for r in _held_by(obj))
+        held.update(r.address for obj in _only_there(machine, entry, seen) for r in _refs(values_in(obj)))
     held.update(address for address, count in arriving.items() if count > 1)
     for frame in frames:
         held.update(frame.cells)
@@ -69,39 +71,18 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     return inside.keys() - held
 
 
-def _only_there(machine: Engine, entry: Scheduled) -> Iterator[Obj]:
-    """The objects that a callback finds as they were when it was registered: those that are not here."""
+def _only_there(machine: Engine, entry: Scheduled, seen: set[tuple[int, int]]) -> Iterator[Obj]:
+    """The objects that a callback finds as they were when it was registered: those that are not here.
+
+    `seen`: the pairs of pages, by id(), that another callback had as well.
+    """
     ours = machine.state.heap.pages
     for number, page in entry.state.heap.pages.items():
-        if ours.get(number) is not page:
-            for offset, obj in enumerate(page):
-                if obj is not None and machine.state.heap.get((number << SHIFT) + offset) is None:
-                    yield obj
-
-
-def _held_by(obj: Obj) -> Iterator[Ref]:
-    """What an object refers to."""
-    yield from _refs(obj.attrs.values())
-    if obj.kind == "instance":
-        return
-    if obj.items:
-        yield from _refs(obj.items)
-    if obj.rest is not None:
-        yield from _refs((obj.rest,))
-    if obj.entries:
-        yield from _refs(obj.entries)
-        yield from _refs(obj.entries.values())
-    if obj.rest_key is not None:
-        yield from _refs((obj.rest_key,))
-    if obj.ends is not None:
-        yield from _refs((*obj.ends.head, *obj.ends.tail))
-    if obj.payload.__class__ is Alternatives:
-        yield from _refs(value for value, _ in obj.payload.elements)
-    if isinstance(obj.payload, Ref):
-        yield obj.payload
-    if isinstance(obj.payload, Suspension):
-        for point, values in obj.payload.points.items():
-            yield from _refs((point.function, *values))
+        own = ours.get(number)
+        if own is not page and (pair := (id(page), id(own))) not in seen:
+            seen.add(pair)
+            here = _NOTHING if own is None else own
+            yield from (obj for obj, known in zip(page, here, strict=False) if known is None and obj is not None)
 
 
 def _refs(values: Iterable[Value]) -> Iterator[Ref]:

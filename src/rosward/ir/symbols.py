@@ -193,6 +193,10 @@ class Symbols(Protocol):
         """Whether anything is declared in a namespace of that name."""
 
     @property
+    def unaware(self) -> frozenset[str]:
+        """The files that know nothing of ROS, and keep nothing between two calls."""
+
+    @property
     def digest(self) -> str:
         """What tells the program from one of other files, or of files that became something else."""
 

@@ -10,7 +10,7 @@ A native is a function of a `NativeCall` that returns an abstract value. It is f
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence, Sized
 from typing import TYPE_CHECKING, Literal, Protocol, SupportsIndex, final, overload
 
 from rosward.domain.choice import reasons_of
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rosward.domain.series import Series
     from rosward.domain.unknown import Reason
     from rosward.domain.values import Function, Ref, Value
-    from rosward.effects.log import EffectLog
+    from rosward.effects.log import EffectLog, NodeEffect
     from rosward.models.file_paths import Files
     from rosward.source.definitions import Definition
 
@@ -74,6 +74,9 @@ class Machine(Execution, Protocol):
     @property
     def log(self) -> EffectLog:
         """What the process does to ROS, and what is worth telling."""
+
+    def nodes_at(self, addresses: Collection[int] | None) -> list[NodeEffect]:
+        """The nodes at some addresses (None: all), in the order in which they were recorded."""
 
     @property
     def environment(self) -> Mapping[str, Value | None]:

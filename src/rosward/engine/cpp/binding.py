@@ -184,7 +184,7 @@ def _any(
     handed = _handed(machine, target if target is not None else type_)
     if handed:  # it knows of these; RW202 tells that it may have nodes of its own
         known: list[Value] = [Pointer(ref) for ref in handed] if target is not None else list(handed)
-        return join_all(known if all(machine.log.is_node(ref.address) for ref in handed) else [*known, anything])
+        return join_all(known if all(machine.is_node(ref.address) for ref in handed) else [*known, anything])
     return anything if not isinstance(anything, Const) else machine.unknown(Cause.CALL, parameter.name)
 
 

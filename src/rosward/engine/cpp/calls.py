@@ -17,10 +17,10 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, Unknown, Value
-from rosward.engine import activation, declared
+from rosward.engine import declared
 from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY
-from rosward.engine.cpp import construct, members, names, visitors
+from rosward.engine.cpp import construct, members, names, unaware, visitors
 from rosward.engine.cpp.binding import bind
 from rosward.engine.cpp.classes import specialised
 from rosward.engine.cpp.handing import decayed, hand_over, is_member
@@ -174,7 +174,7 @@ def call_function(
     if machine.watch is not None:
         machine.watch.bound(machine, function, args, registers)
     with _seen_as(machine, function, registers):
-        value = activation.invoke(machine, function, registers)
+        value = unaware.run(machine, function, registers)
     signature = function.code.signature
     return value if signature is not None and signature.reference else _fresh(machine, value)
 
@@ -223,7 +223,7 @@ def _special(machine: Engine, function: Function, registers: list[Value]) -> Fun
 
 def _without_body(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """A function that is only declared: what a library's does is nothing that matters; what any other does nobody knows."""
-    symbol = linked(machine).stubs[function.code.key]
+    symbol = linked(machine).declared[function.code.key]
     if symbol.name.startswith("~") and "default" in symbol.marks:
         return NONE
     values = [v for v in registers if v is not UNBOUND]

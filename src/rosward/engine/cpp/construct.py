@@ -309,7 +309,7 @@ def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
 
 def _run(machine: Engine, function: Function, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
     if function.code.is_stub:  # `= default`, or defined where nobody sees it
-        symbol = linked(machine).stubs[function.code.key]
+        symbol = linked(machine).declared[function.code.key]
         if not symbol.defined and "default" not in symbol.marks and args:
             handing.give_to(machine, args, External(f"{info.env.name}.{symbol.name}"))
         return initialise(machine, ref, info, (), {})

@@ -35,9 +35,11 @@ __all__ = [
     "decayed",
     "give_to",
     "hand_over",
+    "is_constant",
     "is_foreign",
     "is_member",
     "is_open",
+    "may_be_written",
     "objects_of",
     "own_functions",
     "watch",
@@ -68,7 +70,7 @@ def hand_over(
     pointers = [o for v in values for o in options(read(machine, v)) if isinstance(o, Pointer)]
     reached = [o.target for o in pointers if isinstance(o.target, Slot)]
     for slot in (*changed, *(each for place in reached for each in _from_there(machine, place))):
-        if isinstance(slot, Slot) and _may_be_written(machine, read(machine, slot)) and not _is_constant(machine, slot):
+        if isinstance(slot, Slot) and may_be_written(machine, read(machine, slot)) and not is_constant(machine, slot):
             write(machine, slot, machine.unknown(Cause.CALL, name), weak=True)
     if throws:
         note_call(machine)  # now, or before it wrote anything: what it may have written covers both
@@ -93,14 +95,14 @@ def give_to(machine: Engine, args: Sequence[Value], type_: Value) -> None:
         hand_over(machine, args, changed, name, type_, type_.arguments if isinstance(type_, TypeOf) else ())
 
 
-def _may_be_written(machine: Engine, held: Value) -> bool:
+def may_be_written(machine: Engine, held: Value) -> bool:
     """Whether unknown code may put something else in place of a value: no object is replaced, nor a pointer to a node."""
     if isinstance(held, Ref):
         return False
-    return not (isinstance(held, Pointer) and isinstance(held.target, Ref) and machine.log.is_node(held.target.address))
+    return not (isinstance(held, Pointer) and isinstance(held.target, Ref) and machine.is_node(held.target.address))
 
 
-def _is_constant(machine: Engine, slot: Slot) -> bool:
+def is_constant(machine: Engine, slot: Slot) -> bool:
     """Whether nobody may write where a slot leads: to a constant of a namespace, a field that is `const`."""
     if slot.kind != "field" or not isinstance(slot.base, Ref):
         return False

@@ -85,6 +85,24 @@ class Info:
         self.virtual: tuple[Value, ...] = ()
 
 
+class Unaware:
+    """What was spent in functions that know nothing of ROS (`unaware.py`): `before` by calls that are over, `since` one that is running began.
+
+    `large`: the code of those of which a call took many steps.
+    """
+
+    __slots__ = ("before", "large", "since")
+
+    def __init__(self) -> None:
+        self.before = 0
+        self.since: int | None = None
+        self.large: set[str] = set()
+
+    def spent(self, steps: int) -> int:
+        """How much that is, where the process has taken so many steps."""
+        return self.before + (0 if self.since is None else steps - self.since)
+
+
 @final
 class Linked:
     """A program and its classes, functions and scopes; none of it depends on what the program does."""
@@ -93,6 +111,8 @@ class Linked:
         "clashes",
         "constants",
         "constructing",
+        "declared",
+        "effort",
         "enumerations",
         "evaluating",
         "fields",
@@ -105,7 +125,6 @@ class Linked:
         "instances",
         "scopes",
         "special",
-        "stubs",
         "symbols",
         "templates",
         "unsure",
@@ -122,7 +141,8 @@ class Linked:
         self.infos: dict[int, Info] = {}  # by the address of the class, which is that of its scope
         self.instances: dict[str, int] = {}  # how many of each template there are
         self.functions: dict[tuple[str, int], Function] = {}
-        self.stubs: dict[str, Symbol] = {}  # functions without a body, by the key of what stands for it
+        self.declared: dict[str, Symbol] = {}  # functions, by the key of their code, or of what stands for that
+        self.effort = Unaware()
         self.special: dict[
             tuple[str, int], tuple[Symbol, ...]
         ] = {}  # specialisations of a function, by its code and scope

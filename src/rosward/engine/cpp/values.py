@@ -199,7 +199,7 @@ def function_of(machine: Engine, symbol: Symbol, env: ModuleValue) -> Function:
         code = symbol.code
         if code is None:
             code = _stub(symbol, is_member=program.info(env) is not None)
-            program.stubs[code.key] = symbol
+        program.declared[code.key] = symbol
         if not symbol.sure:
             program.unsure.add(code.key)
         if symbol.template:

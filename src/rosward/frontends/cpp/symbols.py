@@ -18,6 +18,7 @@ from rosward.frontends.cpp.outline import namespace_at
 from rosward.frontends.cpp.same import Merged
 from rosward.frontends.cpp.symbol import CppSymbol
 from rosward.frontends.cpp.symbol_file import FileSymbols
+from rosward.frontends.cpp.unaware import unaware
 from rosward.ir.symbols import Marked, Scope, SymbolKind
 
 _TYPES: Final = frozenset({SymbolKind.CLASS, SymbolKind.ENUM})
@@ -78,6 +79,11 @@ class CppSymbols:
                 same = [self._merged.also(s, [g for g in general if g.kind is s.kind]) for s in symbols]
                 found.setdefault(name, []).extend(same)
         return found
+
+    @cached_property
+    def unaware(self) -> frozenset[str]:
+        """The files that know nothing of ROS, and keep nothing between two calls."""
+        return unaware(self.files)
 
     @cached_property
     def _instances(self) -> dict[Scope, list[Scope]]:

@@ -118,15 +118,16 @@ def _of_texts(machine: Machine, op: str, left: Value, right: Value) -> Value:
     a, b = _number(left), _number(right)
     if a is not None and b is not None:
         return _numbers(machine, op, a, b)
-    if op == "+":
-        return _text_and(machine, left, right) if is_text(left) else _text_and(machine, right, left)
-    return unknown_from(machine, op, "int", left, right)
+    if op != "+":
+        return unknown_from(machine, op, "int", left, right)
+    value, other = (left, right) if is_text(left) else (right, left)
+    if isinstance(other, External) or (isinstance(other, Unknown) and not other.hint):  # a text most likely
+        return concat((left, right))
+    return _moved(machine, value, other)
 
 
-def _text_and(machine: Machine, value: Value, other: Value) -> Value:
-    """A text and what is none: a pointer into characters moves by a number; what is not known is a text most likely."""
-    if isinstance(other, (Unknown, External)) and (isinstance(other, External) or not other.hint):
-        return concat((value, other))
+def _moved(machine: Machine, value: Value, other: Value) -> Value:
+    """A text and a number: a pointer into characters moves by it."""
     text, number = text_of(value), other.value if isinstance(other, Const) else None
     if text is not None and isinstance(number, int) and 0 <= number <= len(text):
         return from_python(machine, text[number:], origins(value, other))

@@ -45,7 +45,7 @@ def create(
         name, type_ = type_, name
     for option in options(node if node is not None else NONE):
         address = option.address if isinstance(option, Ref) else None
-        if address is not None and not machine.log.is_node(address):
+        if address is not None and not machine.is_node(address):
             if not _used_as_node(machine, option):
                 address = None
         if isinstance(option, Const) and option.value is None and len(options(node or NONE)) > 1:

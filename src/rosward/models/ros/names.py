@@ -18,7 +18,7 @@ from rosward.ros import names
 
 def nodes_at(machine: Machine, node: Value) -> list[NodeEffect]:
     """The nodes that an object is, or may be."""
-    return machine.log.nodes_at({o.address for o in options(node) if isinstance(o, Ref)})
+    return machine.nodes_at({o.address for o in options(node) if isinstance(o, Ref)})
 
 
 def _named(machine: Machine, node: Value, part: int) -> Value:

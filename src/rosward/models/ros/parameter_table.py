@@ -168,7 +168,7 @@ def narrow(machine: Machine, before: Value, after: Value) -> None:
     if len(labels) != 1:
         return
     key = Const(labels.pop())
-    nodes = {Ref(effect.address) for effect in machine.log.nodes}
+    nodes = {Ref(effect.address) for effect in machine.nodes_at(None)}
     tables = {table for node in nodes if (table := table_of(machine, node)) is not None}
     held = [table for table in tables if machine.obj(table).entries.get(key) == before]
     if len(held) == 1 and not machine.obj(held[0]).many:
@@ -191,7 +191,7 @@ def follow(machine: Machine, value: Value, *, sense: bool) -> None:
     if len(labels) != 1 or len(kept) != 1:
         return
     key = Const(labels[0])
-    nodes = {Ref(effect.address) for effect in machine.log.nodes}
+    nodes = {Ref(effect.address) for effect in machine.nodes_at(None)}
     tables = {table for node in nodes if (table := table_of(machine, node)) is not None}
     held = [table for table in tables if key in machine.obj(table).entries]
     if len(held) == 1 and not machine.obj(held[0]).many:

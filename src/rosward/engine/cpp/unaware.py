@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which functions need not be followed to the end, because they know nothing of ROS?
+
+    nlohmann::json::patch(…)     of a library that lies among the sources: it takes a million steps, and creates nothing
+
+What a function does that stands in a file that knows nothing of ROS, and is handed nothing but data, shows in its result and in that data.
+Such functions are followed as any others, until they have taken many steps in all; from then on, those of them that take many are not: their
+results, and what they were given, may be anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.compound import External, Tuple
+from rosward.domain.slots import Pointer, Slot, TypeOf
+from rosward.domain.unknown import Cause
+from rosward.domain.values import UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.engine import activation
+from rosward.engine.cpp.handing import is_constant, may_be_written
+from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.opaque import opaque
+from rosward.engine.cpp.thunks import evaluate
+from rosward.engine.cpp.types import pointee
+from rosward.engine.havoc import change_each
+from rosward.engine.held import values_in
+from rosward.engine.throwing import note_call
+from rosward.ir.program import MODEL_PREFIX
+from rosward.models.cpp.copies import write
+from rosward.models.cpp.slots import read
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+    from rosward.ir.symbols import Symbol
+
+_MANY: Final = 500
+"""A call of fewer is always followed."""
+_REACHED: Final = 300
+"""So many objects may be handed to one that is not followed."""
+_STD: Final = f"{MODEL_PREFIX}std/"
+_PLAIN: Final = (Const, Text, Unknown)
+
+
+def run(machine: Engine, function: Function, registers: list[Value]) -> Value:
+    """What a call gives: of its body, unless that is not followed."""
+    program = linked(machine)
+    precision, begun, most = machine.precision, machine.precision.steps, machine.budget.unaware
+    if begun < most or machine.watch is not None or function.code.file not in program.symbols.unaware:
+        return activation.invoke(machine, function, registers)
+    effort, key = program.effort, function.code.key
+    if key in effort.large and effort.spent(begun) >= most and _is_ordinary(machine, function):
+        handed = _Handed(machine)
+        if handed.is_data([*registers, *_types(machine, function)]):
+            return _anything(machine, function, handed)
+    outermost = effort.since is None
+    if outermost:
+        effort.since = begun
+    try:
+        return activation.invoke(machine, function, registers)
+    finally:
+        if precision.steps - begun > _MANY:
+            effort.large.add(key)
+        if outermost:
+            effort.before, effort.since = effort.spent(precision.steps), None
+
+
+def _types(machine: Engine, function: Function) -> tuple[Value, ...]:
+    """What the parameters of the class template stand for that a function is a member of."""
+    info = linked(machine).info(function.module)
+    return info.types if info is not None else ()
+
+
+def _is_ordinary(machine: Engine, function: Function) -> bool:
+    """Whether it is no constructor, destructor or lambda."""
+    symbol = linked(machine).declared.get(function.code.key)
+    info = linked(machine).info(function.module)
+    return symbol is not None and symbol.name[:1] != "~" and (info is None or symbol.name != info.symbol.name)
+
+
+def _anything(machine: Engine, function: Function, handed: _Handed) -> Value:
+    """What a call gives that is not followed; it may have written to whatever it was handed."""
+    symbol = linked(machine).declared[function.code.key]
+    name = f"{function.module.name}.{symbol.name}".removeprefix(".")
+    change_each(machine, handed.objects, name)
+    for slot in handed.slots:
+        if may_be_written(machine, read(machine, slot)) and not is_constant(machine, slot):
+            write(machine, slot, machine.unknown(Cause.CALL, name), weak=True)
+    note_call(machine)
+    if symbol.type is None:
+        return machine.unknown(Cause.CALL, name)
+    type_ = evaluate(machine, symbol.type, function.module)
+    return join_all((opaque(machine, type_, name), *_led_to(machine, symbol, type_, handed)))
+
+
+def _led_to(machine: Engine, symbol: Symbol, type_: Value, handed: _Handed) -> Iterator[Value]:
+    """The objects that a call was handed, where it may return a reference or pointer to them."""
+    target = pointee(type_)
+    cls = type_ if target is None else target
+    if isinstance(cls, Class) and (symbol.reference or target is not None):
+        for ref in handed.objects:
+            own = machine.obj(ref).cls
+            if isinstance(own, Class) and cls in own.mro:
+                yield ref if target is None else Pointer(ref)
+
+
+class _Handed:
+    """What a call can get hold of: objects, and places of single values."""
+
+    def __init__(self, machine: Engine) -> None:
+        self._machine = machine
+        self._unaware = linked(machine).symbols.unaware
+        self.objects: dict[Ref, None] = {}
+        self.slots: dict[Slot, None] = {}
+
+    def is_data(self, values: Sequence[Value]) -> bool:
+        """Whether nothing but data is reached from some values: no function, and no object whose class may know of ROS."""
+        waiting = list(values)
+        while waiting:
+            for option in options(waiting.pop()):
+                inner = self._inner(option)
+                if inner is None or len(self.objects) > _REACHED:
+                    return False
+                waiting += inner
+        return True
+
+    def _inner(self, value: Value) -> Iterable[Value] | None:
+        """What a value leads to; None where it is not data."""
+        if value is UNBOUND or isinstance(value, _PLAIN):
+            return ()
+        if isinstance(value, (Class, External)):
+            return () if self._is_unaware(value) else None
+        if isinstance(value, TypeOf):
+            return value.arguments
+        if isinstance(value, Tuple):
+            return value.items
+        if isinstance(value, Pointer):
+            return (value.target,)
+        if isinstance(value, Slot):
+            return self._inner_of_slot(value)
+        if not isinstance(value, Ref):
+            return None
+        if value in self.objects:
+            return ()
+        self.objects[value] = None
+        obj = self._machine.obj(value)
+        if obj.kind == "generator" or (obj.kind == "instance" and not self._is_unaware(obj.cls)):
+            return None
+        return values_in(obj)
+
+    def _inner_of_slot(self, slot: Slot) -> Iterable[Value]:
+        if slot.kind in ("item", "entry", "reverse"):  # from there it may come to the others
+            return (slot.base,)
+        if slot in self.slots:
+            return ()
+        self.slots[slot] = None
+        return (read(self._machine, slot),)
+
+    def _is_unaware(self, cls: Value) -> bool:
+        """Whether an object of a class knows nothing of ROS."""
+        if isinstance(cls, Class):
+            return all(
+                base.place.file in self._unaware or base.place.file.startswith(_STD)
+                if isinstance(base, Class)
+                else self._is_unaware(base)
+                for base in cls.mro
+            )
+        return isinstance(cls, External) and not cls.name.startswith("rcl")

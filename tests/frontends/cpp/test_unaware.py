@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Promise: a file counts as knowing nothing of ROS only where nothing in it can come to ROS, or keep something between two calls."""
+
+from __future__ import annotations
+
+import pytest
+
+from .test_symbols import program
+
+_MAIN = '#include "rclcpp/rclcpp.hpp"\n#include "tools.hpp"\n#include "ros.hpp"\nint main() { go(); rclcpp::spin(make()); }\n'
+_ROS = "#pragma once\n#include <rclcpp/rclcpp.hpp>\nint announce(int);\nrclcpp::Node::SharedPtr make();\nclass Station {};\nextern int counter;\n"
+
+
+def _is_unaware(tools: str, **others: str) -> bool:
+    files = {f"{name}.hpp" if name != "extra" else "extra.cpp": text for name, text in others.items()}
+    sources = ["main.cpp", "extra.cpp"] if "extra" in others else ["main.cpp"]
+    symbols = program({"main.cpp": _MAIN, "ros.hpp": _ROS, "tools.hpp": tools, **files}, *sources)
+    assert "main.cpp" not in symbols.unaware
+    assert "ros.hpp" not in symbols.unaware
+    return "tools.hpp" in symbols.unaware
+
+
+@pytest.mark.parametrize(
+    "tools",
+    [
+        "#include <string>\n#include <vector>\ninline int go() { return 1; }",
+        "#include <math.h>\n#include <Eigen/Dense>\n#include <geometry_msgs/msg/pose.hpp>\ninline int go() { return 1; }",
+        "const int N = 3; constexpr double PI = 3.14; inline int go() { static const int kept = 2; return kept; }",
+        "class Box { public: static int count(); static constexpr int N = 2; int field = 1; }; static int help(int a) { return a; }",
+        'extern "C" { int c_function(int); }\nstruct Point { double x; double y; };',
+        "template<typename T> T twice(T value) { return value + value; }",
+        "enum class Mode { A, B }; typedef int Number; using Name = int;",
+    ],
+)
+def test_it_knows_nothing(tools: str) -> None:
+    assert _is_unaware(tools)
+
+
+@pytest.mark.parametrize(
+    "tools",
+    [
+        '#include "rclcpp/rclcpp.hpp"\ninline int go() { return 1; }',
+        '#include "ros.hpp"\ninline int go() { return 1; }',
+        "#include <vendor/unknown.hpp>\ninline int go() { return 1; }",
+        '#include "missing.hpp"\ninline int go() { return 1; }',
+        "void use(rclcpp::Node * node);",
+        "template<typename N> auto help(N & node) { return node.create_publisher(); }",
+        "template<typename P> void send(P & to) { to.publish(1); }",
+        "inline int go() { return announce(1); }",
+        "struct Holder { Station * station; };",
+        "inline int go() { return counter++; }",
+        "int kept = 0;",
+        "static int kept;",
+        "inline int next() { static int kept = 0; return kept++; }",
+        "inline int & next() { static std::vector<int> kept(5); return kept[0]; }",
+        "inline int next() { thread_local int kept; return kept; }",
+        "class Box { static inline int count = 0; };",
+        "class Box { static int count; };",
+        "template<typename T> class Box { static T count; };",
+        "extern int elsewhere;",
+        "namespace a { namespace b { std::string name; } }",
+    ],
+)
+def test_it_may_know_something(tools: str) -> None:
+    assert not _is_unaware(tools)
+
+
+def test_what_is_defined_elsewhere_counts() -> None:
+    logger = "class Logger { public: void log(int value); };"
+    assert _is_unaware(logger)
+    assert not _is_unaware(logger, extra='#include "tools.hpp"\n#include "rclcpp/rclcpp.hpp"\nvoid Logger::log(int) {}')
+    assert not _is_unaware("void say(int);", extra='#include "tools.hpp"\n#include "ros.hpp"\nvoid say(int) {}')
+
+
+def test_what_includes_it_counts() -> None:
+    assert not _is_unaware('#include "inner.hpp"\ninline int go() { return 1; }', inner='#include "ros.hpp"')
+    assert not _is_unaware('#include "inner.hpp"\ninline int go() { return 1; }', inner="int kept;")
+    assert _is_unaware(
+        '#include "inner.hpp"\ninline int go() { return inner(); }', inner="inline int inner() { return 2; }"
+    )
