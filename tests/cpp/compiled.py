@@ -59,7 +59,7 @@ _WHOLE: Final = {
 _FORWARDED: Final = re.compile(rf'^\s*#\s*include\s*[<"]((?:{"|".join(_WHOLE)})/[\w/]+\.h(?:pp)?)[>"]', re.MULTILINE)
 _LINE: Final = re.compile(r"^@double (.*)$", re.MULTILINE)
 _INCLUDE: Final = re.compile(r"^[ \t]*#[ \t]*include\b.*$", re.MULTILINE)
-_OF_A_LIBRARY: Final = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"](\w+/[^">\n]+)[">]', re.MULTILINE)
+_OF_A_LIBRARY: Final = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"](Q[A-Z]\w*|\w+/[^">\n]+)[">]', re.MULTILINE)
 _ALONE: Final = re.compile(
     r"^[ \t]*#[ \t]*(?:define|undef|if|ifdef|ifndef)\b|(?<![\w>:\s])\s*::\w|\b(?:struct|class)\s+\w+::|^namespace (?:std|rclcpp)\b",
     re.MULTILINE,

@@ -12,6 +12,7 @@ from functools import reduce
 from typing import Final
 
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Slice, Tuple
+from rosward.domain.enumerated import Enumerated, Whole
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import common
 from rosward.domain.unknown import TAKEN_FOR_NOTHING, Cause, Reason
@@ -197,7 +198,7 @@ def _is_text(value: Value) -> bool:
 
 def _kind(value: Value) -> str:
     if value.__class__ is Const:
-        return value.value.__class__.__name__
+        return "int" if isinstance(value.value, (Enumerated, Whole)) else value.value.__class__.__name__
     if value.__class__ is Text:
         return "str"
     if value.__class__ is Unknown:
@@ -281,7 +282,7 @@ def _anywhere(known: frozenset[Value], joined: Value, reason: Reason) -> Value:
 
 def _without_position(value: Value, reason: Reason) -> Value:
     if value.__class__ is Pointer:
-        return Pointer(_without_position(value.target, reason))
+        return Pointer(_without_position(value.target, reason), value.owner)
     return Slot(value.base, value.kind, Unknown((reason,), "int")) if value.__class__ is Slot else value
 
 

@@ -1,25 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which number is the value of an enumerator?"""
+"""Which whole numbers know a type by its name, so that they are no other number that is as great?"""
 
 from __future__ import annotations
 
-from typing import final
+from typing import TypeVar, final
+
+T = TypeVar("T", bound="_Typed")
 
 
-@final
-class Enumerated(int):
-    """The number of an enumerator, which knows its enumeration by the dotted name; what is computed from it is a plain number."""
+class _Typed(int):
+    """A whole number that knows its type; what is computed from it is a plain number."""
 
-    def __new__(cls, number: int, enumeration: str) -> Enumerated:  # noqa: D102 - see the class
+    def __new__(cls: type[T], number: int, named: str) -> T:
         made = super().__new__(cls, number)
-        made.enumeration = enumeration
+        made.named = named
         return made
 
-    enumeration: str
+    named: str
 
     def __eq__(self, other: object) -> bool:
-        if isinstance(other, Enumerated):
-            return self.enumeration == other.enumeration and int(self) == int(other)
+        if isinstance(other, _Typed):
+            return self.__class__ is other.__class__ and self.named == other.named and int(self) == int(other)
         return int(self) == other
 
     def __ne__(self, other: object) -> bool:
@@ -29,4 +30,19 @@ class Enumerated(int):
         return int.__hash__(self)
 
     def __reduce__(self) -> tuple[type, tuple[int, str]]:
-        return Enumerated, (int(self), self.enumeration)
+        return self.__class__, (int(self), self.named)
+
+
+@final
+class Enumerated(_Typed):
+    """The number of an enumerator, which knows its enumeration by the dotted name."""
+
+    @property
+    def enumeration(self) -> str:
+        """Which one that is."""
+        return self.named
+
+
+@final
+class Whole(_Typed):
+    """A number of the type `uint8_t` or `int8_t`: a character to a stream, and of that type to overloads."""

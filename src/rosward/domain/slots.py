@@ -16,10 +16,13 @@ from rosward.domain.enumerated import Enumerated
 from rosward.domain.values import Const, Function, Value
 from rosward.ir.core import CharText
 
-__all__ = ["Enumerated", "Overloads", "Pointer", "Slot", "SlotKind", "TypeOf", "is_char_text"]
+__all__ = ["Enumerated", "Overloads", "Owner", "Pointer", "Slot", "SlotKind", "TypeOf", "is_char_text"]
 
 SlotKind = Literal["cell", "field", "item", "entry", "reverse"]
 """What a slot is a part of."""
+
+
+Owner = Literal["", "unique", "shared"]
 
 
 def is_char_text(value: Value) -> bool:
@@ -29,16 +32,20 @@ def is_char_text(value: Value) -> bool:
 
 @final
 class Pointer(Record):
-    """A pointer, smart pointer or iterator that leads to an object (`Ref`) or a `Slot`. A null pointer is `NONE`."""
+    """A pointer, smart pointer or iterator that leads to an object (`Ref`) or a `Slot`. A null pointer is `NONE`.
 
-    __slots__ = ("target",)
+    `owner`: whether it owns what it leads to, alone or with others, as far as that shows.
+    """
 
-    def __init__(self, target: Value) -> None:
+    __slots__ = ("owner", "target")
+
+    def __init__(self, target: Value, owner: Owner = "") -> None:
         self.target = target
+        self.owner = owner
 
-    def fields(self) -> tuple[Value]:
+    def fields(self) -> tuple[Value, Owner]:
         """In the order of the constructor."""
-        return (self.target,)
+        return self.target, self.owner
 
 
 @final

@@ -289,7 +289,10 @@ def _leaving(body: Body) -> list[Memory]:
 def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
     """What `__enter__` gives, the body, `__exit__`."""
     context = body.registers[op.context]
+    waits = any(a.code.name in _WAITING for a in seen.callees)
     entered = run_callees(walker, op, body, seen, ("__enter__", "__aenter__"))
+    if waits:
+        walker.wait()
     if op.bind != ops.NO_REGISTER:
         given = context if entered is None else entered
         body.registers[op.bind] = Mark(given.mask | body.pc, given.roots | frozenset(seen.refs))
@@ -307,9 +310,13 @@ def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
         walker.go(body, tried.point)
     raised = tried.raised.under(demoted(tried.mask))
     run_callees(walker, op, body, seen, ("__exit__", "__aexit__"), told=raised)
+    if waits:
+        walker.wait()
     return seen.alive
 
 
+_WAITING: Final = frozenset(("__aenter__", "__aexit__"))
+"""Methods that let others run meanwhile."""
 TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.If: branch,
     ops.While: loop,

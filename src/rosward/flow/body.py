@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import compress
+from operator import is_not
 from typing import final
 
 from rosward.engine.seen import Activation
@@ -31,13 +34,12 @@ class Point:
     def join(self, other: Point) -> bool:
         """Cover another one of the same body, too; whether that changed anything."""
         changed = self.memory.join(other.memory)
-        for number, theirs in enumerate(other.registers):
-            ours = self.registers[number]
-            if ours is not theirs:
-                joined = ours.joined(theirs)
-                if joined is not ours:
-                    self.registers[number] = joined
-                    changed = True
+        ours, theirs = self.registers, other.registers
+        for number in list(compress(range(len(theirs)), map(is_not, ours, theirs))):
+            joined = ours[number].joined(theirs[number])
+            if joined is not ours[number]:
+                ours[number] = joined
+                changed = True
         return changed
 
 
@@ -146,3 +148,12 @@ def here(body: Body) -> Chain:
     """Where a body is; nothing where it is code of a model, or has not begun."""
     code = body.activation.code
     return () if body.at is code.entry or code.file.startswith("models:") else (Place(code.file, body.at.line),)
+
+
+def where(bodies: Sequence[Body]) -> Place:
+    """The statement of the user's code that is running."""
+    for body in reversed(bodies):
+        code = body.activation.code
+        if not code.file.startswith("models:"):
+            return Place(code.file, body.at.line, body.at.column)
+    return Place("", 0)

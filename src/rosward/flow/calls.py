@@ -32,7 +32,6 @@ from rosward.flow.released import released
 from rosward.flow.site import callees, is_native
 from rosward.flow.ways import Way, each_way, either, joined_marks
 from rosward.ir import ops
-from rosward.ir.registers import reads
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -146,7 +145,7 @@ def resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: i
     if code.is_generator or code.is_coroutine:
         return walker.advance(activation, pc)
     everything = Mark(pc)
-    for register in reads(op):
+    for register in walker.sites.reads(op):
         mark = body.registers[register]
         everything = everything.joined(Mark(walker.memory.deep(mark), mark.roots))
     return walker.enter(activation, [everything] * len(code.parameters.names), pc)
@@ -214,10 +213,11 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     if seen.scheduled:
         mask |= _given_back(walker, seen, [*marks, function] if site.unknown else [], function)
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))
-    owners = owners_of(function) if walker.calling or seen.scheduled else frozenset()
-    if seen.scheduled and site.unknown and not owners <= walker.calling:
-        walker.calling |= owners
-        walker.forget()
+    owners = owners_of(function)
+    if owners:
+        walker.ask(owners)
+        if seen.scheduled and site.unknown:
+            walker.may_call(owners)
     if not walker.calling.isdisjoint(owners) or (walker.threaded and site.waits):
         walker.meet_callbacks()
     if seen.scheduled:
@@ -237,6 +237,7 @@ def _deep(walker: Walker, marks: Iterable[Mark]) -> int:
 def _given_back(walker: Walker, seen: Seen, marks: Iterable[Mark], function: Mark) -> int:
     """What the functions return that are handed to a library here: it may keep that in its object, and in what it may write to."""
     mask = 0
+    walker.ask(entry for _, entry in seen.scheduled)
     for _, entry in seen.scheduled:
         mask |= walker.returned.get(entry, 0)
     if mask:

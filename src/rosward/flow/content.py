@@ -16,10 +16,10 @@ NO_SLOTS: Final[Mapping[object, Mark]] = MappingProxyType({})
 class Content:
     """Of one object: `base` of what was never written, `any` under keys that are not known, `size` of how much there is, and its slots.
 
-    Never changed; what all of it comes to is put together once.
+    Never changed; what all of it comes to is put together once (`known`, None before that).
     """
 
-    __slots__ = ("_whole", "any", "base", "size", "slots")
+    __slots__ = ("any", "base", "known", "size", "slots")
 
     def __init__(
         self,
@@ -32,7 +32,7 @@ class Content:
         self.any = any
         self.size = size
         self.slots = slots
-        self._whole: Mark | None = None
+        self.known: Mark | None = None
 
     def __eq__(self, other: object) -> bool:
         if self is other:
@@ -57,7 +57,7 @@ class Content:
     @property
     def whole(self) -> Mark:
         """All that stands in it."""
-        found = self._whole
+        found = self.known
         if found is None:
             mask, roots = self.base | self.any.mask, self.any.roots
             several = {id(mark.roots): mark.roots for mark in self.slots.values() if mark.roots}
@@ -68,7 +68,7 @@ class Content:
                 roots = roots.union(*several.values())
                 if len(roots) == len(largest):  # many have it then
                     roots = largest
-            found = self._whole = Mark(mask, roots)
+            found = self.known = Mark(mask, roots)
         return found
 
     def within(self, other: Content) -> bool:
@@ -106,6 +106,8 @@ def both(ours: Content, theirs: Content) -> Content:
     if theirs.slots is not known:
         for key, mark in theirs.slots.items():
             mine = known.get(key)
+            if mine is mark:
+                continue
             merged = mark.under(ours.base) if mine is None else mine.joined(mark)
             if merged is not mine:
                 if slots is None:

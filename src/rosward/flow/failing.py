@@ -14,6 +14,21 @@ if TYPE_CHECKING:
     from rosward.engine.seen import Seen
 
 
+STRUCTURED: Final = (
+    ops.If,
+    ops.While,
+    ops.ForEach,
+    ops.Try,
+    ops.With,
+    ops.Return,
+    ops.Break,
+    ops.Continue,
+    ops.Raise,
+    ops.Yield,
+)
+"""Operations with blocks, and those at which control leaves one."""
+
+
 def may_fail(op: ops.Op, seen: Seen) -> bool:
     """Whether an operation may raise an exception because of what it works on; a function of the program says so itself."""
     if seen.natives or seen.strange:

@@ -15,7 +15,7 @@ from rosward.domain.values import Function
 from rosward.flow import arrays, hidden
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of
 from rosward.flow.outside import cleaned, comes_in, out
-from rosward.flow.reading import opaque, owners_of
+from rosward.flow.reading import each_of, of_classes, opaque, owners_of
 
 if TYPE_CHECKING:
     from rosward.flow.body import Body
@@ -112,8 +112,9 @@ def unknown(
 ) -> Mark:
     """Code that is not known, unless its name is: it may write to all that it can reach, and give any of it."""
     names = sorted({n for r in function.roots if (n := name_of(r))})
+    marks = [mark.joined(each_of(walker, mark) or NOTHING) for mark in marks]  # it may go through generators
     everything = [*marks, Mark(function.mask, owners_of(function))]
-    mask = body.pc
+    mask = body.pc | of_classes(walker, everything)
     for mark in everything:
         mask |= walker.memory.deep(mark)
     given = 0

@@ -17,7 +17,7 @@ from rosward.flow.marks import FUNCTIONS, Mark, Root, is_slot, part_of, slot_of
 from rosward.flow.remembered import Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
-from rosward.flow.store import MASK, SHIFT, Covered
+from rosward.flow.store import Covered, Differing
 from rosward.flow.tracker import KeySets, Tracker, differing
 
 
@@ -82,7 +82,7 @@ class Memory(Standing):
 
     def wrote_to_others(self, before: Memory) -> bool:
         """Whether anything was written since to an object that was there."""
-        roots = (self.numbers.roots[number] for number in self.current().differing(before.current()))
+        roots = (self.numbers.roots[number] for number, _, _ in self.current().differing(before.current()))
         return any(isinstance(root, int) and root not in self.shape.placed for root in roots)
 
     def meet(self, beside: Memory, state: int) -> None:
@@ -91,17 +91,14 @@ class Memory(Standing):
         if self._met != state:
             self.join(beside)
         elif self._since:
-            self._cover(beside.current(), self._since.copy())
+            beside.current()
+            self._cover(beside, [(n, self.numbered(n), beside.numbered(n)) for n in self._since])
         self._met, self._since = state, set()
 
-    def _cover(self, other: Memory, numbers: Iterable[int]) -> bool:
+    def _cover(self, other: Memory, differing: Iterable[Differing]) -> bool:
         changed = False
-        roots, covered, tracker, others = self.numbers.roots, self.numbers.covered, self.shape.tracker, other._pages
-        for number in numbers:
-            key, offset = number >> SHIFT, number & MASK
-            page, their_page = self._pages.get(key), others.get(key)  # `numbered`, without the calls
-            mine = None if page is None else page[offset]
-            their = None if their_page is None else their_page[offset]
+        roots, covered, tracker = self.numbers.roots, self.numbers.covered, self.shape.tracker
+        for number, mine, their in differing:
             if mine is their:
                 continue
             root = roots[number]
@@ -254,10 +251,10 @@ class Memory(Standing):
             return False
         if self._of.get(root) in self.numbers.merged:
             return True
+        ended = self.shape.ended
         for holder, content in self.items():
-            if holder in self.shape.ended:
-                continue
-            if holder != root and root in content.whole.roots:
+            whole = content.known or content.whole  # this is asked very often
+            if root in whole.roots and holder != root and holder not in ended:
                 return True
         return False
 

@@ -22,7 +22,7 @@ from rosward.flow.content import Content
 from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, decided, demoted, of_library
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
-from rosward.flow.reading import arising, elements, owners_of
+from rosward.flow.reading import arising, elements, of_classes, owners_of
 from rosward.flow.site import callees
 from rosward.ir import ops
 from rosward.ir.ops import Call
@@ -298,6 +298,14 @@ def _type(call: NativeCall) -> Mark:
     return _identity(call)
 
 
+def _format(call: NativeCall) -> Mark:
+    """`'{0.x}'.format(a)`: a field may ask for an attribute, which the class of an object may have."""
+    mask = call.pc | of_classes(call.walker, call.marks)
+    for mark in call.marks:
+        mask |= call.walker.memory.deep(mark)
+    return call.computed(mask)
+
+
 def _run_code(call: NativeCall) -> Mark:
     """Code that is known at run time only may do anything."""
     if call.name.endswith("exec") or call.seen.opaque:
@@ -342,6 +350,7 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
         _everything,
     ),
     **dict.fromkeys(("sys._handled", "sys._uncaught", "threading._uncaught", "traceback.format_exc"), _handled),
+    **dict.fromkeys(("str.format", "str.format_map"), _format),
     "type": _type,
     "hasattr": _exists,
     "getattr": _get_attribute,

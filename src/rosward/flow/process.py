@@ -205,8 +205,9 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             send(walker, effect, walker.memory.deep(result) | pc)
-    if entry.event == "log":  # what filters put into records
-        hidden.keep(walker, "logging", walker.memory.deep(arguments[0]) if arguments else 0)
+    if entry.event == "log":  # what filters put into records, or factories into new ones
+        records = Mark(0, result.roots | (arguments[0].roots if arguments else frozenset()))
+        hidden.keep(walker, "logging", walker.memory.deep(records))
     if entry.event == BY_LIBRARY:
         walker.give_back(entry, walker.memory.deep(result))
     if _implicit(walker, entry):

@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
 from rosward.effects.flows import Source
 from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.flow.ways import each_way
 
 if TYPE_CHECKING:
     from rosward.domain.unknown import Reason
@@ -46,19 +49,39 @@ def owners_of(mark: Mark) -> frozenset[Root]:
     return frozenset(found)
 
 
+def of_classes(walker: Walker, marks: Iterable[Mark]) -> int:
+    """What the classes hold of the objects that these lead to: whoever asks an object for an attribute may find it there."""
+    memory, found = walker.memory, 0
+    work, done = [mark for mark in marks if mark.roots], set[int]()
+    for mark in work:
+        for cls in walker.shape.classes_of(memory.reached(mark)):
+            if cls not in done:
+                done.add(cls)
+                whole = memory.of(cls).whole
+                found |= whole.mask
+                if whole.roots:
+                    found |= memory.deep(whole)
+                    work.append(whole)
+    return found
+
+
 def elements(walker: Walker, mark: Mark) -> Mark:
     """What iterating over a value gives; of an iterator, it is used up."""
     found = NOTHING
     used = [r for r in mark.roots if walker.shape.is_iterator(r)]
     if used:
         walker.memory.take_out(used, walker.bodies[-1].pc)
-    for root in mark.roots:
-        if not isinstance(root, int) and root[0] == "generator":
-            found = found.joined(run(walker, root, mark.mask))
+    found = found.joined(each_of(walker, mark) or NOTHING)
     found = found.joined(walker.memory.read_all(mark.roots))
     if any(not isinstance(r, int) for r in mark.roots):
         found = found.joined(Mark(0, frozenset(r for r in mark.roots if not isinstance(r, int) and r[0] != "tuple")))
     return found.under(mark.mask)
+
+
+def each_of(walker: Walker, mark: Mark) -> Mark | None:
+    """Run the generators, or coroutines, of which a value is one: what each yields and returns."""
+    several = sorted(str(root[1]) for root in mark.roots if not isinstance(root, int) and root[0] == "generator")
+    return each_way(walker, [partial(run, walker, ("generator", key), mark.mask) for key in several])
 
 
 def run(walker: Walker, root: Root, pc: int) -> Mark:

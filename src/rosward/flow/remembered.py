@@ -7,12 +7,15 @@ for turn in any number:           the second turn finds in `handle` what the fir
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.flow.marks import NOTHING
 from rosward.ir.program import CPP, PYTHON
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
+    from rosward.engine.seen import Activation
     from rosward.flow.content import Content, Layer
     from rosward.flow.marks import Mark, Root
     from rosward.flow.tracker import Keys, Tracker
@@ -30,7 +33,10 @@ class Written(NamedTuple):
 
 
 class Remembered(NamedTuple):
-    """One walk: what it found, and what it left. `raising` is what may have failed in it, `beside` how often callbacks had written."""
+    """One walk: what it found, and what it left.
+
+    `raising` is what may have failed in it; `beside` how often callbacks had written when it began, `told` how often all else had changed.
+    """
 
     given: tuple[object, ...]
     tracker: Tracker
@@ -38,6 +44,26 @@ class Remembered(NamedTuple):
     result: Mark
     raising: int
     beside: int
+    told: int
+
+
+@final
+class News:
+    """What has changed that stands in no memory, and when: walks that asked for it are not what they were."""
+
+    def __init__(self) -> None:
+        self._when: dict[object, int] = {}
+        self.told = 0  # how often something has changed
+
+    def tell(self, keys: Iterable[object]) -> None:
+        """These are something else from now on."""
+        self.told += 1
+        self._when.update(dict.fromkeys(keys, self.told))
+
+    def holds(self, each: Remembered) -> bool:
+        """Whether all that a walk has asked for is what it was."""
+        when, told = self._when, each.told
+        return told == self.told or all(when.get(key, 0) <= told for key in each.tracker.asked)
 
 
 @final
@@ -72,3 +98,19 @@ class Looked:
         if root in self.changed:
             return self
         return Looked(self.mask, self.objects, self.further, self.tracker, self.changed | {root})
+
+
+def gather(known: dict[Activation, list[Mark]], activation: Activation, arguments: list[Mark]) -> bool:
+    """What any call gives to a body; whether that is more now."""
+    before = known.get(activation)
+    if before is None:
+        known[activation] = list(arguments)
+        return False
+    more = len(arguments) > len(before)
+    before += [NOTHING] * (len(arguments) - len(before))
+    for number, mark in enumerate(arguments):
+        both = before[number].joined(mark)
+        if both is not before[number]:
+            before[number] = both
+            more = True
+    return more

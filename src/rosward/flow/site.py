@@ -15,6 +15,7 @@ from rosward.domain.values import Class, Const, Function, Value
 from rosward.engine.seen import ALIVE, REACHED, Activation, Called, Handed, Seen
 from rosward.flow.marks import Root, of_library
 from rosward.ir import ops
+from rosward.ir.registers import reads
 
 
 @final
@@ -48,6 +49,14 @@ class Sites:
         self._calls: dict[Seen, Site] = {}
         self._by_code: dict[Seen, dict[str, list[Called]]] = {}
         self._together: dict[tuple[Seen, str], list[Called]] = {}
+        self._reads: dict[ops.Op, tuple[int, ...]] = {}
+
+    def reads(self, op: ops.Op) -> tuple[int, ...]:
+        """The registers that an operation reads."""
+        found = self._reads.get(op)
+        if found is None:
+            found = self._reads[op] = tuple(reads(op))
+        return found
 
     def of(self, op: ops.Call, seen: Seen) -> Site:
         """What is said of a call."""

@@ -95,6 +95,8 @@ class Standing(Store):
             found = page[number & MASK]
             if found is not None:
                 return found
+        if root.__class__ is int and root not in self.shape.inner:
+            return EMPTY
         return self._unwritten(root)
 
     def _unwritten(self, root: Root) -> Content:
@@ -160,8 +162,10 @@ class Standing(Store):
 
     def base(self, roots: frozenset[Root]) -> int:
         """What stands in objects that came from outside, as far as one look tells."""
-        found = 0
-        for root in roots & self.numbers.based if len(roots) > 1 else roots:
+        found, based = 0, self.numbers.based
+        if based.isdisjoint(roots):
+            return found
+        for root in roots & based:
             content = self.known(root)
             if content is not None:
                 found |= content.base

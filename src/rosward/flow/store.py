@@ -21,13 +21,15 @@ from rosward.flow.marks import Mark, Root, name_of
 from rosward.records import NamedTuple
 
 Page = list[Content | None]
+Differing = tuple[int, Content | None, Content | None]
+"""The number of an object, and what stands in it here and there."""
 
 SHIFT: Final = 5
 """So many bits of the number of an object say where on a page it stands."""
 MASK: Final = (1 << SHIFT) - 1
 _OFFSETS: Final = range(MASK + 1)
 _BLANK: Final[tuple[None, ...]] = (None,) * (MASK + 1)
-_MOST_COVERED: Final = 30_000
+_MOST_COVERED: Final = 5_000
 _MOST_KNOWN: Final = 1_000
 """Of so many sets of objects it is kept which of them are one."""
 MELTED: Final = "melted"
@@ -234,15 +236,16 @@ class Store:
                 if content is not None:
                     yield roots[(key << SHIFT) + offset], content
 
-    def differing(self, other: Store) -> list[int]:
-        """The numbers of the objects whose contents are not the same thing here and there."""
-        found: list[int] = []
+    def differing(self, other: Store) -> list[Differing]:
+        """The objects whose contents are not the same thing here and there."""
+        found: list[Differing] = []
         pages, others = self._pages, other._pages
         for key in compress(others, map(is_not, map(pages.get, others), others.values())):
-            ours = pages.get(key, _BLANK)
-            found += [(key << SHIFT) + n for n in compress(_OFFSETS, map(is_not, ours, others[key]))]
+            ours, theirs, first = pages.get(key, _BLANK), others[key], key << SHIFT
+            found += [(first + n, ours[n], theirs[n]) for n in compress(_OFFSETS, map(is_not, ours, theirs))]
         for key in pages.keys() - others.keys():
-            found += [(key << SHIFT) + n for n in compress(_OFFSETS, map(is_not, pages[key], _BLANK))]
+            ours, first = pages[key], key << SHIFT
+            found += [(first + n, ours[n], None) for n in compress(_OFFSETS, map(is_not, ours, _BLANK))]
         return found
 
     def _fold(self) -> bool:

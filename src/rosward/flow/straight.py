@@ -17,6 +17,7 @@ from rosward.flow.calls import call, run_callees, schedule
 from rosward.flow.constructed import attributes
 from rosward.flow.content import Content
 from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
+from rosward.flow.partials import bound_in
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of
 from rosward.ir import ops
 from rosward.ir.registers import reads, writes
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from rosward.flow.walker import Walker
 
 _NO_ROOTS: Final[frozenset[Root]] = frozenset()
+_OF_PARTIAL: Final = frozenset(("args", "keywords"))
+"""The attributes of a partial function in which its arguments stand."""
 _SLICE: Final[Root] = ("slice",)
 """What an index leads to that stands for several elements."""
 
@@ -33,10 +36,11 @@ _SLICE: Final[Root] = ("slice",)
 def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     """Any operation of which nothing else is known: what it writes depends on all that it reads."""
     mask = body.pc
-    for register in reads(op):
-        mask |= walker.memory.deep(body.registers[register])
+    operands = [body.registers[register] for register in walker.sites.reads(op)]
+    for mark in operands:
+        mask |= walker.memory.deep(mark)
     if walker.implicit:
-        mask |= implicit.given_by(walker, [body.registers[register] for register in reads(op)])
+        mask |= implicit.given_by(walker, operands)
     given = run_callees(walker, op, body, seen)
     roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
     if given is not None:
@@ -48,7 +52,9 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
 
 def _compute(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     """Arithmetic and comparisons: of objects of a library (arrays), they give a new one; `+=` may write to the one that is there."""
-    operands = [body.registers[register] for register in reads(op)]  # one of them may be where the result stands
+    operands = [
+        body.registers[register] for register in walker.sites.reads(op)
+    ]  # one of them may be where the result stands
     plain(walker, op, body, seen)
     found = body.registers[op.dst]
     if getattr(op, "inplace", False):
@@ -148,6 +154,8 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
             continue
         content = memory.part(root, name, "__class__")
         found, slots = content.read(name), content.slots
+        if name in _OF_PARTIAL and bound_in(Mark(0, frozenset((root,)))):
+            found = memory.of(root).whole
         if "__class__" in slots:
             found = found.under(slots["__class__"].mask)
         if name not in slots:
@@ -190,9 +198,7 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
     run_callees(walker, op, body, seen)
     if seen.scheduled:
         schedule(walker, seen, (value,), body.pc)
-        if not owner.roots <= walker.calling:
-            walker.calling |= owner.roots
-            walker.forget()
+        walker.may_call(owner.roots)
         for _, entry in seen.scheduled:
             hidden.put_into(walker, owner, entry)
     if not seen.calls:  # a generator that goes on at the end of a loop's body is no property

@@ -2,6 +2,7 @@
 """Operations at which a function stops and others go on: `yield`, `yield from`, `await`.
 
 x = yield y      y is among what the generator gives, x what `send` was given
+x = await y      whatever else runs may have written meanwhile
 """
 
 from __future__ import annotations
@@ -12,7 +13,8 @@ from rosward.flow import implicit
 from rosward.flow.body import Body
 from rosward.flow.calls import run_callees
 from rosward.flow.marks import NOTHING, Mark
-from rosward.flow.reading import elements, leads, run
+from rosward.flow.reading import each_of, elements, leads
+from rosward.flow.ways import either
 from rosward.ir import ops
 
 if TYPE_CHECKING:
@@ -37,14 +39,13 @@ def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
 
 
 def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
+    walker.wait()
     given = run_callees(walker, op, body, seen)
     awaited = body.registers[op.src]
-    for root in awaited.roots:
-        if not isinstance(root, int) and root[0] == "generator":
-            found = run(walker, root, awaited.mask)
-            given = found if given is None else given.joined(found)
+    given = either(given, each_of(walker, awaited))
     if given is None:
         given = Mark(walker.memory.deep(awaited), frozenset(seen.refs))
+    walker.wait()
     body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, leads(seen, given))
 
 

@@ -35,14 +35,18 @@ _NO_KEYS: Final[frozenset[object]] = frozenset()
 
 @final
 class Tracker:
-    """Of one walk. `open`: it depends on more than that, so that it can't be remembered; `beside`: on what callbacks write."""
+    """Of one walk. `open`: it depends on more than that, so that it can't be remembered; `beside`: on what callbacks write.
 
-    __slots__ = ("_first", "_own", "_read", "beside", "open", "placed", "reads", "sent", "wrote")
+    `asked`: what else it depends on, for which the walker has names.
+    """
+
+    __slots__ = ("_first", "_own", "_read", "asked", "beside", "open", "placed", "reads", "sent", "wrote")
 
     def __init__(self) -> None:
         self.reads: dict[Root, Keys] = {}
         self.wrote: dict[Root, Keys] = {}
         self.placed: set[int] = set()
+        self.asked: set[object] = set()
         self.sent: dict[tuple[Sink, Chain | None], int] = {}
         self.open = False
         self.beside = False
@@ -86,15 +90,28 @@ class Tracker:
                 return
         _add(self.reads, root, (key,))
 
+    def _read_slots(self, root: Root, keys: Set[object], content: Content) -> None:
+        """Slots of an object are read that were not read before."""
+        if id(content) not in self._own:
+            self._first.setdefault(root, content)
+        else:
+            wrote = self.wrote.get(root, _NO_KEYS)
+            if root not in self._first or wrote is None:
+                return
+            keys = keys - wrote
+        _add(self.reads, root, keys)
+
     def meets(self, root: Root, ours: Content, theirs: Content, keys: Keys) -> None:
         """Two contents of an object, which differ under these keys, or anywhere, are joined: what is read for that, and written."""
         if keys is None:
             self.read(root, ours)
             self.read(root, theirs)
             return
-        for key in keys:
-            self.read_slot(root, key, ours)
-            self.read_slot(root, key, theirs)
+        for content in (ours, theirs):
+            known = self.reads.get(root, _NO_KEYS)
+            if known is None or not (new := keys - known):
+                return
+            self._read_slots(root, new, content)
 
     def write(self, root: Root, content: Content, keys: Iterable[object] | None) -> None:
         """An object has another content from now on, which differs under these keys, or anywhere."""
@@ -106,6 +123,13 @@ class Tracker:
         if len(self.sent) >= _MOST_SENT and (sink, chain) not in self.sent:
             chain = None
         self.sent[sink, chain] = self.sent.get((sink, chain), 0) | mask
+
+    def forget_ways(self) -> None:
+        """The body may have called itself: through which statements something was sent is not told."""
+        masks: dict[tuple[Sink, Chain | None], int] = {}
+        for (sink, _), mask in self.sent.items():
+            masks[sink, None] = masks.get((sink, None), 0) | mask
+        self.sent = masks
 
     def absorb(self, inner: Tracker, at: Chain, store: Store) -> None:
         """A body inside was walked through, which is called here; `store` is what stands behind it."""
@@ -137,7 +161,7 @@ class Tracker:
 
     def _reads_as(self, read: Iterable[tuple[Root, Keys]], standing: Callable[[Root], Content]) -> None:
         """What a body inside reads is read here, as it stands."""
-        reads, first = self.reads, self._first
+        reads = self.reads
         for root, keys in read:
             known = reads.get(root, _NO_KEYS)
             if known is None:
@@ -148,18 +172,11 @@ class Tracker:
             new = keys - known if known else keys
             if not new:
                 continue
-            content = standing(root)
-            if id(content) not in self._own:
-                first.setdefault(root, content)
-            else:
-                wrote = self.wrote.get(root, _NO_KEYS)
-                if root not in first or wrote is None:
-                    continue
-                new = new - wrote
-            _add(reads, root, new)
+            self._read_slots(root, new, standing(root))
 
     def _has_sent(self, inner: Tracker, at: Chain) -> None:
         self.placed |= inner.placed
+        self.asked |= inner.asked
         for (sink, chain), mask in inner.sent.items():
             self.send(sink, None if chain is None else (at + chain)[-DEEP:], mask)
         self.open = self.open or inner.open

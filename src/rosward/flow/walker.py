@@ -14,19 +14,19 @@ from rosward.effects.flows import Sink, Source
 from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import Activation, Seen
 from rosward.engine.watch import is_of_program
-from rosward.flow.body import Attempt, Body, Point, here
+from rosward.flow.body import Attempt, Body, Point, here, where
 from rosward.flow.content import TooLongError
-from rosward.flow.failing import may_fail
+from rosward.flow.failing import STRUCTURED, may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
-from rosward.flow.remembered import MOST, Remembered
+from rosward.flow.remembered import MOST, News, Remembered, gather
 from rosward.flow.sinks import DEEP, Chain, Sinks
 from rosward.flow.site import Sites, merged
 from rosward.flow.tracker import KeySets, Tracker
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.program import CPP
-from rosward.ir.registers import reads, writes
+from rosward.ir.registers import writes
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -36,19 +36,6 @@ if TYPE_CHECKING:
 
 Handler = Callable[["Walker", Any, Body, Seen], "bool | None"]
 """What an operation does to what is known: False where control does not go on behind it."""
-
-STRUCTURED: Final = (
-    ops.If,
-    ops.While,
-    ops.ForEach,
-    ops.Try,
-    ops.With,
-    ops.Return,
-    ops.Break,
-    ops.Continue,
-    ops.Raise,
-    ops.Yield,
-)
 
 
 @final
@@ -84,9 +71,7 @@ class Walker:
         self.writing: set[int] = set()  # those of which such methods write to other objects
         self.calling: set[Root] = set()  # objects of libraries to which functions of the program were handed
         self.logs = False  # handlers of the program get what is logged
-        self.put_into: dict[
-            Scheduled, str
-        ] = {}  # the modules of libraries into which functions of the program were put
+        self.put_into: dict[Scheduled, str] = {}  # the modules of libraries that hold functions of the program
         self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
@@ -105,6 +90,7 @@ class Walker:
         self._beside = 0  # how often `beside` became more
         self._key_sets: KeySets = {}
         self._remembered: dict[Activation, list[Remembered]] = {}
+        self._news = News()
         self._bodies: dict[Seen, dict[str, list[Activation]]] = {}
         self._wholes: dict[str, Activation] = {}
 
@@ -146,7 +132,7 @@ class Walker:
         """An operation that may fail decides whether what follows in the `try` runs."""
         attempt = self.attempts[-1]
         if may_fail(op, seen):
-            for register in reads(op):
+            for register in self.sites.reads(op):
                 attempt.mask |= self.memory.near(body.registers[register])
         if attempt.handles:
             attempt.body.pc |= demoted(attempt.mask)
@@ -194,7 +180,24 @@ class Walker:
         old = self.returned.get(entry, 0)
         if old | mask != old:
             self.returned[entry] = old | mask
-            self.forget()
+            self.tell((entry,))
+
+    def may_call(self, owners: frozenset[Root]) -> None:
+        """These objects of libraries were handed functions of the program: whoever calls methods of them may run these."""
+        new = owners - self.calling
+        if new:
+            self.calling |= new
+            self.tell(new)
+
+    def tell(self, news: Iterable[object]) -> None:
+        """Walks that have asked for these find something else from now on."""
+        self._news.tell(news)
+        self.changed = True
+
+    def ask(self, keys: Iterable[object]) -> None:
+        """What is done here depends on these, of which no memory tells."""
+        if self.shape.tracker is not None:
+            self.shape.tracker.asked.update(keys)
 
     def forget(self) -> None:
         """What is remembered of calls may not hold any more."""
@@ -226,11 +229,7 @@ class Walker:
 
     def place(self) -> Place:
         """The statement of the user's code that is running."""
-        for body in reversed(self.bodies):
-            code = body.activation.code
-            if not code.file.startswith("models:"):
-                return Place(code.file, body.at.line, body.at.column)
-        return Place("", 0)
+        return where(self.bodies)
 
     @property
     def hurries(self) -> bool:
@@ -247,6 +246,11 @@ class Walker:
         if self.shape.tracker is not None:
             self.shape.tracker.beside = True
         self.memory.meet(self.beside, self._beside)
+
+    def wait(self) -> None:
+        """Others run while this waits: they find what it wrote so far, and it finds what they write."""
+        self.leave()
+        self.join_beside()
 
     def leave(self) -> None:
         """What runs has come to its end: others may find what it wrote."""
@@ -281,20 +285,10 @@ class Walker:
 
     def enter(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Walk through a body: what it returns. One that is running already returns what it is known to, so far."""
-        known = self.arguments.get(activation)
-        if known is None:
-            known = self.arguments[activation] = list(arguments)
-        else:
-            for number, mark in enumerate(arguments):
-                if number == len(known):
-                    known.append(mark)
-                both = known[number].joined(mark)
-                if both is not known[number]:
-                    known[number] = both
-                    self.changed = True
+        if gather(self.arguments, activation, arguments):
+            self.tell((activation,))
         if any(b.activation is activation for b in self.bodies):
-            if self.shape.tracker is not None:
-                self.shape.tracker.open = True
+            self.ask((activation,))
             self.recursive.add(activation)
             return self.results.get(activation, NOTHING)
         given = (tuple(arguments), pc, self.event, self.node, tuple(self.narrowed), bool(self.attempts))
@@ -302,22 +296,11 @@ class Walker:
         outer = self.shape.tracker
         for each in earlier:
             current = not each.tracker.beside or each.beside == self._beside
-            if current and each.given == given and self.memory.finds(each.tracker):
-                if each.tracker.beside:  # which it may have covered before it began
-                    self.join_beside()
-                if outer is not None:
-                    outer.repeat(each.tracker, here(self.bodies[-1]), self.memory.now)
-                self.memory.replay(each.writes, each.tracker.placed)
-                before_it = self._chain()
-                for (sink, chain), mask in each.tracker.sent.items():
-                    self.trail.send(sink, mask)
-                    whole = None if chain is None or before_it is None else (before_it + chain)[-DEEP:]
-                    self.sinks.called(sink, whole, self._with_event(mask))
-                if self.attempts:
-                    self.attempts[-1].mask |= each.raising
+            if current and each.given == given and self._news.holds(each) and self.memory.finds(each.tracker):
+                self._repeat(each, outer)
                 return each.result
         tracker = self.shape.tracker = Tracker()
-        beside = self._beside
+        beside, told = self._beside, self._news.told
         before = self.attempts[-1].mask if self.attempts else 0
         if self.attempts:
             self.attempts[-1].mask = 0
@@ -325,6 +308,8 @@ class Walker:
             result = self._walk(activation, arguments, pc)
         finally:
             self.shape.tracker = outer
+            if activation in self.recursive:
+                tracker.forget_ways()
             if outer is not None:
                 outer.absorb(tracker, here(self.bodies[-1]), self.memory)
         raising = self.attempts[-1].mask if self.attempts else 0
@@ -334,14 +319,31 @@ class Walker:
             left = self.memory.left(tracker, self._key_sets)
             tracker.ended(self._key_sets)
             del earlier[MOST[activation.code.language] - 1 :]
-            earlier.insert(0, Remembered(given, tracker, left, result, raising, beside))
+            earlier.insert(0, Remembered(given, tracker, left, result, raising, beside, told))
         return result
+
+    def _repeat(self, each: Remembered, outer: Tracker | None) -> None:
+        """A call does what it did before."""
+        if each.tracker.beside:  # which it may have covered before it began
+            self.join_beside()
+        if outer is not None:
+            outer.repeat(each.tracker, here(self.bodies[-1]), self.memory.now)
+        self.memory.replay(each.writes, each.tracker.placed)
+        before = self._chain()
+        for (sink, chain), mask in each.tracker.sent.items():
+            self.trail.send(sink, mask)
+            whole = None if chain is None or before is None else (before + chain)[-DEEP:]
+            self.sinks.called(sink, whole, self._with_event(mask))
+        if self.attempts:
+            self.attempts[-1].mask |= each.raising
 
     def _walk(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
         """Through a body."""
-        known = self.arguments[activation]
         code = activation.code
-        given = known if activation in self.recursive or len(self.bodies) > _DEEP else arguments
+        given = arguments
+        if activation in self.recursive or len(self.bodies) > _DEEP:
+            self.ask((activation,))
+            given = self.arguments[activation]
         body = Body(activation, [*given, *[NOTHING] * (code.registers - len(given))], pc)
         own = activation.cells[: len(code.cells)] if code.language == CPP else ()
         if own and any(b.activation is activation for b in self.bodies):
@@ -364,7 +366,7 @@ class Walker:
         new = body.result if old is None else old.joined(body.result)
         if new is not old:
             self.results[activation] = new
-            self.changed = True
+            self.tell((activation,))
         return body.result
 
     def advance(self, activation: Activation, pc: int) -> Mark:

@@ -18,10 +18,12 @@ __all__ = ["Argued", "Default", "Elements", "Invoke", "InvokeMember", "MakeLambd
 class Argued(NamedTuple):
     """One argument of a call: of kind 'value' (an rvalue that nobody else has), 'slot' (an lvalue), 'result' (of a call or cast: one or the
     other), 'constant' (a variable that is so), 'moved' (an lvalue that may be moved from), or 'pack' (a parameter pack, spread here).
+    `number`: the arithmetic type that it has as it is written, other than `int` and `double`; '' where that does not show.
     """
 
     register: int
     kind: Literal["value", "slot", "result", "constant", "moved", "pack"] = "value"
+    number: str = ""
 
 
 @final

@@ -154,7 +154,11 @@ class Symbol(Protocol):
 
     @property
     def reference(self) -> bool:
-        """A variable that is a reference; a function that returns one."""
+        """A variable that is a reference; a function that returns one; an alias of one."""
+
+    @property
+    def pattern(self) -> TypePattern:
+        """Of a variable or alias, the type as it is written."""
 
     @property
     def overlaps(self) -> bool:

@@ -104,6 +104,22 @@ static void run() {
 }
 }  // namespace slices_16
 
+namespace slices_17 {
+struct A {std::string s = "A"; virtual std::string n() const {return s;} virtual ~A() = default;}; struct B : A {B() {s = "B";} std::string n() const override {return "over";}};
+static std::string f(A a) {return a.n();}
+static void run() {
+  B b; A * p = &b; auto x = *p; show(std::string("slices17_") + (x.n() + f(*p)));
+}
+}  // namespace slices_17
+
+namespace slices_18 {
+struct A {std::string s = "A"; virtual std::string n() const {return s;} virtual ~A() = default;}; struct B : A {B() {s = "B";} std::string n() const override {return "over";}};
+static auto g(const A & a) {auto c = a; return c.n();}
+static void run() {
+  B b; std::unique_ptr<A> p = std::make_unique<B>(); auto x = *p; auto f = [c = *p] {return c.n();}; show(std::string("slices18_") + (x.n() + g(b) + g(*p) + f()));
+}
+}  // namespace slices_18
+
 static void run()
 {
   slices_0::run();
@@ -123,4 +139,6 @@ static void run()
   slices_14::run();
   slices_15::run();
   slices_16::run();
+  slices_17::run();
+  slices_18::run();
 }

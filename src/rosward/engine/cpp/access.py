@@ -18,7 +18,7 @@ from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import pointee
 from rosward.engine.frame import Frame
 from rosward.models.cpp.memory import pointer_to
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.slots import plain_number, read
 from rosward.models.cpp.types import name_of
 
 if TYPE_CHECKING:
@@ -109,7 +109,7 @@ def item(machine: Engine, owner: Value, index: Value, *, constant: bool = False)
                 option if isinstance(option, Unknown) else machine.unknown(Cause.OPERATION, "element of nothing")
             )
         else:
-            found.append(Slot(owner if isinstance(owner, Slot) else option, "item", read(machine, index)))
+            found.append(Slot(owner if isinstance(owner, Slot) else option, "item", plain_number(read(machine, index))))
     return join_all(found) if all(f is not UNBOUND for f in found) else UNBOUND
 
 
@@ -120,7 +120,7 @@ def _element(machine: Engine, ref: Ref, index: Value) -> Value:
         native = machine.library.native(f"{name}.operator[]")
         if native is not None:
             return run_native(machine, native, f"{name}.operator[]", (ref, index), {})
-    return Slot(ref, "item", read(machine, index))
+    return Slot(ref, "item", plain_number(read(machine, index)))
 
 
 def _beyond(machine: Engine, pointer: Pointer, index: Value) -> Value:

@@ -8,12 +8,12 @@ dynamic_cast<Lamp &>(x)         x, or std::bad_cast is thrown
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import Tuple
-from rosward.domain.slots import Slot
-from rosward.domain.values import NONE, UNBOUND, Choice, Class, Ref, Unknown, Value
+from rosward.domain.slots import Slot, TypeOf
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Unknown, Value
 from rosward.engine.cpp.construct import is_one, make
 from rosward.engine.cpp.constructors import constructors, least
 from rosward.engine.cpp.converting import buffer, by_operator, cast, derives, enumerator
@@ -23,6 +23,7 @@ from rosward.engine.cpp.types import dotted, is_message, pointee
 from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.exceptions import may_raise, raises
+from rosward.models.cpp.owners import as_pointer
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
@@ -36,13 +37,15 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
     held = read(machine, value)
     if kind == "buffer":
         return buffer(value, held)
+    if kind in ("wrapped", "size"):
+        return _wrapped(machine, held, type_, kind)
     if kind == "value":
         kind = "init"
         if held.__class__ in (Ref, Choice) and is_of_another(machine, held, type_):
             held = lift(lambda o: as_one(machine, o, type_) if is_of_another(machine, o, type_) else o, held)
     target = pointee(type_)
     if kind == "dynamic" or (target is not None and isinstance(target, Class)):
-        made = cast(machine, held, target if target is not None else type_, kind)
+        made = as_pointer(cast(machine, held, target if target is not None else type_, kind), type_)
         return made if kind != "dynamic" or target is not None else _of_reference(machine, made)
     if not isinstance(type_, Class):
         if isinstance(type_, Unknown) or is_message(type_):
@@ -58,6 +61,23 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
             found.append(_converted(machine, option, type_))
 
     return join_all(found)
+
+
+_SIZE: Final = TypeOf("size_t", ())
+
+
+def _wrapped(machine: Engine, held: Value, type_: Value, kind: str) -> Value:
+    """A whole number below zero as a number of an unsigned type; a class of the program may count in another one."""
+    if kind == "size":
+        if any(isinstance(o, Ref) and isinstance(machine.obj(o).cls, Class) for o in options(read(machine, type_))):
+            return held
+        type_ = _SIZE
+
+    def one(value: Value) -> Value:
+        is_below = value.__class__ is Const and type(value.value) is int and value.value < 0
+        return convert_plain(machine, value, type_, "init") if is_below else value
+
+    return lift(one, held)
 
 
 def _of_reference(machine: Engine, found: Value) -> Value:

@@ -18,7 +18,7 @@ from rosward.ir.symbols import Signature
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["by_category", "of_constness", "same_parameters"]
+__all__ = ["by_category", "numbers_written", "of_constness", "same_parameters"]
 
 Category = Literal["lvalue", "constant", "rvalue"]
 _NEVER: Final = 0
@@ -42,18 +42,33 @@ def _better(one: list[int | None], other: list[int | None]) -> bool:
     return any(a > b for a, b in both) and all(a >= b for a, b in both)
 
 
+def numbers_written(machine: Engine, args: tuple[Value, ...]) -> tuple[str, ...]:
+    """The types of numbers that the arguments of the call that runs have as they are written; none where there are none."""
+    frame = machine.frames[-1] if machine.frames else None
+    written = _written(frame, args) if frame is not None else None
+    return tuple(argued.number for argued in written) if written and any(argued.number for argued in written) else ()
+
+
 def _categories(machine: Engine, args: tuple[Value, ...]) -> list[Category] | None:
     """What the arguments of the call are that runs; None where these are not the arguments."""
-    frame = machine.frames[-1] if machine.frames else None
-    written = getattr(frame.op, "arguments", None) if frame is not None else None
-    if frame is None or not written or len(written) != len(args):
+    if not machine.frames:
         return None
-    found: list[Category] = []
+    frame = machine.frames[-1]
+    written = _written(frame, args)
+    if written is None:
+        return None
+    return [_category(frame, argued, value) for argued, value in zip(written, args, strict=True)]
+
+
+def _written(frame: Frame, args: tuple[Value, ...]) -> tuple[Argued, ...] | None:
+    """The arguments as the operation has them that runs; None where these are not the arguments."""
+    written = getattr(frame.op, "arguments", None)
+    if not written or len(written) != len(args):
+        return None
     for argued, value in zip(written, args, strict=True):
         if not isinstance(argued, Argued) or argued.kind == "pack" or frame.registers[argued.register] is not value:
             return None
-        found.append(_category(frame, argued, value))
-    return found
+    return tuple(written)
 
 
 def _category(frame: Frame, argued: Argued, value: Value) -> Category:

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 __all__ = ["bind_template", "class_of", "copies", "instance_of", "is_copied", "specialised"]
 
 _DEPTH: Final = 60
+_ALIASES: Final = 8
+"""How many aliases of aliases are followed."""
 
 
 def class_of(machine: Engine, found: names.Found, types: tuple[Value, ...] | None) -> Value:
@@ -172,6 +174,7 @@ def instance_of(
         if member.kind is SymbolKind.VARIABLE and not member.static:
             fields.setdefault(member.name or member.key, member)  # one of several that the preprocessor chooses from
     info.fields = tuple(fields.values())
+    info.references = frozenset(f.name for f in info.fields if is_reference(machine, f, scope))
     for name, several in program.symbols.of_instances(symbol.inner).items() if types else ():
         own = [s for s in several if _is_for(machine, s, env, types)]
         if own:
@@ -195,6 +198,20 @@ def instance_of(
     if not stub:
         machine.log.defined(cls)
     return cls
+
+
+def is_reference(machine: Engine, symbol: Symbol, env: ModuleValue, depth: int = 0) -> bool:
+    """Whether a variable, or an alias, is a reference by its type, or by what this is an alias of."""
+    if symbol.reference or depth > _ALIASES:
+        return symbol.reference
+    pattern = symbol.pattern
+    if len(pattern.names) != 1 or pattern.pointers:
+        return False
+    found = names.unqualified(machine, ModuleValue(env.address, env.name, symbol.place.file), pattern.names[0])
+    first = found.symbols[0] if isinstance(found, names.Found) else None
+    if first is None or first.kind is not SymbolKind.ALIAS or not isinstance(found, names.Found):
+        return False
+    return is_reference(machine, first, found.env, depth + 1)
 
 
 def _repeated(names_: Iterable[str]) -> frozenset[str]:
@@ -222,7 +239,7 @@ def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:
     """What copies of objects have to know of the class."""
     symbol = info.symbol
     rules: dict[str, Value] = {}
-    references = tuple(Const(info.keys[f.name]) for f in info.fields if f.reference)
+    references = tuple(Const(info.keys[f.name]) for f in info.fields if f.name in info.references)
     if references:
         rules[REFERENCES] = Tuple(references)
     shared = tuple(Const(info.keys[f.name]) for f in info.fields if f.overlaps)

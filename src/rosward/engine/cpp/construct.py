@@ -19,10 +19,10 @@ from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.cpp import handing, names, visitors
-from rosward.engine.cpp.binding import deduce
+from rosward.engine.cpp import handing, visitors
 from rosward.engine.cpp.classes import copies, is_copied
 from rosward.engine.cpp.constructors import (
+    closed,
     constructors,
     inherited_constructors,
     inheriting,
@@ -37,7 +37,7 @@ from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.overloading import choose
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, is_message, pointee
-from rosward.engine.cpp.values import function_of, value_of, versions
+from rosward.engine.cpp.values import function_of, versions
 from rosward.engine.escape import name_of
 from rosward.ir.cpp import Form
 from rosward.ir.symbols import Symbol
@@ -67,13 +67,17 @@ DESIGNATED: Final = External("<designated>")
 """The first item of the braces `{.a = 1}`: the others are pairs of a name and a value."""
 
 
+_OWNING: Final = frozenset({Shape.ARRAY, Shape.LIST, Shape.MAP, Shape.PAIR})
+"""Containers that make what is in braces their own: an element may be an object that refers to something (`{{lamp, "a"}}`)."""
+
+
 def is_type(machine: Engine, value: Value) -> bool:
     """Whether a value of a library is a type that something can be made of."""
     if isinstance(value, Class) or is_message(value):
         return True
     if not isinstance(value, (External, TypeOf)):
         return False
-    if shape_of(value) is not Shape.OTHER:
+    if shape_of(value) is not Shape.OTHER or is_enumeration(machine, value):
         return True
     name = dotted(value)
     return ("." not in name and isinstance(value, TypeOf)) or machine.library.native(f"{name}.new") is not None
@@ -103,9 +107,9 @@ def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Va
         value = Tuple(tuple(args)) if listed else args[0]
         if pointee(type_) is not None:
             return convert_plain(machine, lift(lambda v: decayed(machine, v), read(machine, value)), type_, "init")
-        return convert_plain(
-            machine, lift(lambda v: by_operator(machine, v, type_), copied(machine, value)), type_, "init"
-        )
+        if not (isinstance(value, Tuple) and shape_of(type_) in _OWNING):
+            value = lift(lambda v: by_operator(machine, v, type_), copied(machine, value))
+        return convert_plain(machine, value, type_, "init")
     if len(args) == 1 and form in ("copy", "brace-copy") and not isinstance(args[0], Tuple):
         return copied(machine, args[0])  # a value of a library's type from another one
     handing.give_to(machine, args, type_)
@@ -161,7 +165,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
     if of_functions is not None:
         return of_functions
     if info.open:
-        cls, info = _closed(machine, cls, info, args)
+        cls, info = closed(machine, cls, info, args)
     if _is_one_of(machine, args, cls) and not copies(machine, info):
         if not is_copied(machine, cls) and all(
             isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))
@@ -202,24 +206,6 @@ def make_of_anything(machine: Engine, cls: Class, keywords: Mapping[str, Value])
         return ref if made else UNBOUND
 
     return each_apart(machine, [function_of(machine, s, info.env) for s in own], one)
-
-
-def _closed(machine: Engine, cls: Class, info: Info, args: tuple[Value, ...]) -> tuple[Class, Info]:
-    """The instance of a template that follows from the arguments of its constructor (`Box box(1)`)."""
-    template = info.symbol.template or ()
-    for symbol in constructors(machine, info):
-        function = function_of(machine, symbol, info.env)
-        signature = function.code.signature
-        if signature is None or len(signature.parameters) < len(args):
-            continue
-        found = deduce(machine, signature._replace(template=template), args, 0)
-        if any(p.name in found for p in template):
-            types = tuple(found.get(p.name, info.bindings.get(p.name, NONE)) for p in template)
-            closed = value_of(machine, names.Found((info.symbol,), info.outer), types)
-            inner = linked(machine).info(closed)
-            if isinstance(closed, Class) and inner is not None:
-                return closed, inner
-    return cls, info
 
 
 def is_one(machine: Engine, value: Value, cls: Class) -> bool:
@@ -303,7 +289,7 @@ def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
             keys = [(obj, linked(machine).key_in(machine, o, own, symbol.name)) for o, obj in objects]
             values = [obj.attrs[key] for obj, key in keys if key is not None and key in obj.attrs]
             if values:
-                value = join_all(values) if symbol.reference else copied(machine, join_all(values))
+                value = join_all(values) if symbol.name in own.references else copied(machine, join_all(values))
                 set_field(machine, ref, own, symbol.name, value)
 
 
@@ -350,7 +336,12 @@ def initialise(
             value = _field_of(machine, info, symbol, given.pop(0))
         else:
             value = field_default(machine, ref, info, symbol)
-            if value is None and args and symbol.type is not None and not (symbol.reference or symbol.overlaps):
+            if (
+                value is None
+                and args
+                and symbol.type is not None
+                and not (symbol.name in info.references or symbol.overlaps)
+            ):
                 value = default_value(machine, evaluate(machine, symbol.type, info.env))
         if value is UNBOUND:
             return False
@@ -363,7 +354,7 @@ def initialise(
 
 
 def _field_of(machine: Engine, info: Info, symbol: Symbol, value: Value) -> Value:
-    if symbol.reference:
+    if symbol.name in info.references:
         return value
     type_ = evaluate(machine, symbol.type, info.env) if symbol.type is not None else TypeOf("auto", ())
     if not isinstance(value, Tuple):
@@ -383,7 +374,7 @@ def field_default(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Valu
 def _first_of_field(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Value | None:
     if symbol.code is not None:
         return evaluate(machine, symbol.code, info.env, leading=(ref,))
-    if symbol.type is None or symbol.reference:
+    if symbol.type is None or symbol.name in info.references:
         return None
     type_ = evaluate(machine, symbol.type, info.env)
     if dotted(type_) == "array":

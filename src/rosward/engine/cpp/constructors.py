@@ -5,16 +5,27 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.values import Function
+from rosward.domain.values import NONE, Class, Function, Value
+from rosward.engine.cpp import names
+from rosward.engine.cpp.binding import deduce
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.thunks import evaluate
-from rosward.engine.cpp.values import function_of
+from rosward.engine.cpp.values import function_of, value_of
 from rosward.ir.symbols import Symbol, SymbolKind
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["constructors", "inherited_constructors", "inheriting", "is_copying", "least", "takes", "takes_list"]
+__all__ = [
+    "closed",
+    "constructors",
+    "inherited_constructors",
+    "inheriting",
+    "is_copying",
+    "least",
+    "takes",
+    "takes_list",
+]
 
 
 def constructors(machine: Engine, info: Info) -> list[Symbol]:
@@ -68,3 +79,21 @@ def inherited_constructors(machine: Engine, bases: list[Info]) -> dict[Function,
         above = inherited_constructors(machine, inheriting(machine, base))
         found.update(dict.fromkeys((*own, *above), base))
     return found
+
+
+def closed(machine: Engine, cls: Class, info: Info, args: tuple[Value, ...]) -> tuple[Class, Info]:
+    """The instance of a template that follows from the arguments of its constructor (`Box box(1)`)."""
+    template = info.symbol.template or ()
+    for symbol in constructors(machine, info):
+        function = function_of(machine, symbol, info.env)
+        signature = function.code.signature
+        if signature is None or len(signature.parameters) < len(args):
+            continue
+        found = deduce(machine, signature._replace(template=template), args, 0)
+        if any(p.name in found for p in template):
+            types = tuple(found.get(p.name, info.bindings.get(p.name, NONE)) for p in template)
+            instance = value_of(machine, names.Found((info.symbol,), info.outer), types)
+            inner = linked(machine).info(instance)
+            if isinstance(instance, Class) and inner is not None:
+                return instance, inner
+    return cls, info

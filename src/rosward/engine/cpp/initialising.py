@@ -125,7 +125,7 @@ def _fields(
 def _field(
     machine: Engine, info: Info, symbol: Symbol, init: cpp.MemberInit, args: tuple[Value, ...], frame: Frame
 ) -> Value:
-    if symbol.reference:
+    if symbol.name in info.references:
         return args[0] if args else UNBOUND
     type_ = evaluate(machine, symbol.type, info.env) if symbol.type is not None else TypeOf("auto", ())
     fresh = is_fresh(frame, init.arguments, args)

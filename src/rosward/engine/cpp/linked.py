@@ -31,11 +31,11 @@ INSTANCES: Final = 400
 class Info:
     """A class at run time: its symbol, the scope of its members, what its template parameters stand for, its bases and fields.
 
-    `keys` says under which name each field stands in an object: two fields of one name in a class and its base are two. `clashing` are
-    those that several of its bases have under one name, `doubled` those of a base that is there several times, and `hidden` those of which
-    one is seen or another, as the object is declared. `around`: names of the function that declares the class. `special`: members of this
-    instance of a template alone. `shares`: it is, or has in it, a union. `open`: a template of which the arguments are not known yet (they
-    follow from a constructor). `virtual`: its virtual bases, those of its bases, too.
+    `keys` says under which name each field stands in an object: two fields of one name in a class and its base are two. `clashing` are those that
+    several of its bases have under one name, `doubled` those of a base that is there several times, and `hidden` those of which one is seen or
+    another, as the object is declared. `references`: the fields that are references. `around`: names of the function that declares the class.
+    `special`: members of this instance of a template alone. `shares`: it is, or has in it, a union. `open`: a template of which the arguments are
+    not known yet (they follow from a constructor). `virtual`: its virtual bases, those of its bases, too.
     """
 
     __slots__ = (
@@ -50,6 +50,7 @@ class Info:
         "keys",
         "open",
         "outer",
+        "references",
         "scope",
         "shares",
         "special",
@@ -82,6 +83,7 @@ class Info:
         self.open = False
         self.fields: tuple[Symbol, ...] = ()
         self.keys: dict[str, str] = {}
+        self.references = frozenset[str]()
         self.cls: Class | None = None
         self.virtual: tuple[Value, ...] = ()
 

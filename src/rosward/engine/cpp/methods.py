@@ -17,22 +17,23 @@ from rosward.domain.slots import Overloads, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.cpp import access, assumed_nodes, calls, members, names, operators
+from rosward.engine.cpp import access, assumed_nodes, calls, endings, members, names, operators
 from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import overloads
 from rosward.engine.frame import Frame
+from rosward.models.cpp.compounds import alternative
 from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.receivers import OF_PLACES
 from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import argument, method_types, name_of
+from rosward.models.cpp.types import method_types, name_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["destroy", "invoke", "iterated"]
+__all__ = ["invoke", "iterated"]
 
 
 def invoke(
@@ -125,10 +126,16 @@ def _of_one(
         if isinstance(function, Overloads):
             function = of_constness(function, constant=constant)
         return calls.invoke(machine, access.value(machine, function), args, types)
+    if name == "index" and declared is not None and not args:
+        position = alternative(machine, value, declared())
+        if position is not None:
+            return position
     for type_name in method_types(machine, value):
         native = machine.library.native(f"{type_name}.{name}")
         if native is not None:
             keywords: dict[str, Value] = {"types": Tuple(types)} if types else {}
+            if not endings.end_with(machine, f"{type_name}.{name}", value):
+                return UNBOUND
             return run_native(machine, native, f"{type_name}.{name}", (slot, *args), keywords)
     if isinstance(value, Ref):
         cls = machine.obj(value).cls
@@ -167,41 +174,6 @@ def _of_scope(machine: Engine, value: Ref, name: str, types: tuple[Value, ...], 
     info = linked(machine).info(scope) if scope is not None else None
     found = names.in_class(machine, info, name) if info is not None else None
     return overloads(machine, found, types, value) if found is not None else None
-
-
-_NESTED: Final = 6
-"""How deep in an object the ends of what it holds are followed."""
-
-
-def _has_values(cls: Value) -> bool:
-    """Whether what a container holds is its own: in a tuple (`std::tie(lamp)`), or in wrappers of references, it may be of others."""
-    return name_of(cls) != "std.tuple" and name_of(argument(cls, 0)) != "std.reference_wrapper"
-
-
-def destroy(machine: Engine, ref: Ref, depth: int = 0) -> bool:
-    """An object ends: the destructors of its class, of what it holds by value, and of its bases run; False where one never ends."""
-    program = linked(machine)
-    obj = machine.obj(ref)
-    if obj.kind == "list" and obj.items and depth < _NESTED:
-        if not _has_values(obj.cls):
-            return True
-        items = reversed(obj.items) if name_of(obj.cls) in ("array", "std.array") else obj.items
-        return all(destroy(machine, item, depth + 1) for item in items if isinstance(item, Ref))
-    for each in obj.cls.mro if isinstance(obj.cls, Class) else ():
-        info = program.info(each)
-        if info is None:
-            continue
-        symbols = program.symbols.at(info.scope, f"~{info.symbol.name}")
-        if symbols:
-            function = overloads(machine, names.Found(tuple(symbols), info.env, info), (), ref)
-            if calls.invoke(machine, function, ()) is UNBOUND:
-                return False
-        for symbol in reversed(info.fields) if depth < _NESTED else ():
-            key = program.key_in(machine, ref, info, symbol.name)
-            held = machine.obj(ref).attrs.get(key) if key is not None and not symbol.reference else None
-            if isinstance(held, Ref) and not destroy(machine, held, depth + 1):
-                return False
-    return True
 
 
 _TURNS: Final = 300

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
-from rosward.engine.cpp import as_type, calls, construct, members, names
+from rosward.engine.cpp import as_type, calls, construct, endings, members, names
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
 from rosward.engine.cpp.linked import linked, record
@@ -28,7 +29,7 @@ from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import ASSIGN, copied, write
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.slots import plain_number, read
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 
 if TYPE_CHECKING:
@@ -157,23 +158,21 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
         if value is UNBOUND:
             return UNBOUND
         if not isinstance(slot, Ref) or value != slot:
-            write(machine, slot, _as_declared(machine, slot, value) if _is_large(value) else value)
+            write(machine, slot, _as_declared(machine, slot, value) if _is_whole(value) else value)
         return slot
     if isinstance(slot, Ref):
         return _object(machine, slot, src)
     value = decayed(machine, src)
     if value.__class__ is not Unknown:
         value = copied(machine, value)
-    write(machine, slot, _as_declared(machine, slot, value) if _is_large(value) else value)
-    return slot
+    before = read(machine, slot) if value.__class__ is Pointer or value == NONE else NONE
+    write(machine, slot, _as_declared(machine, slot, value) if _is_whole(value) else value)
+    is_left = before.__class__ is Pointer and before != value
+    return UNBOUND if is_left and not endings.end(machine, before) else slot
 
 
-_PLAIN: Final = 128
-"""Smaller whole numbers are the same in all types."""
-
-
-def _is_large(value: Value) -> bool:
-    return value.__class__ is Const and type(value.value) is int and not 0 <= value.value < _PLAIN
+def _is_whole(value: Value) -> bool:
+    return value.__class__ is Const and value.value.__class__ in (int, Whole)
 
 
 def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
@@ -187,7 +186,7 @@ def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
         type_ = argument(cls, 1 if machine.obj(slot.base).kind == "dict" else 0)
     else:
         return value
-    return convert(machine, value, type_) if shape_of(type_) is Shape.INT else value
+    return convert(machine, value, type_) if shape_of(type_) is Shape.INT else plain_number(value)
 
 
 def _field_type(machine: Engine, cls: Class, key: str) -> Value:

@@ -15,14 +15,17 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.slots import Overloads, Pointer, TypeOf, is_char_text
 from rosward.domain.values import Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.engine.cpp.binding import deduce
-from rosward.engine.cpp.categories import by_category, same_parameters
+from rosward.engine.cpp.categories import by_category, numbers_written, same_parameters
 from rosward.engine.cpp.classes import bind_template
+from rosward.engine.cpp.convertible import NUMBERS, TEXTS, converts, is_convertible
 from rosward.engine.cpp.enumerations import enumeration_of
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import STRING, dotted, is_pointer_pattern, pointee, type_of
-from rosward.ir.symbols import ParameterSymbol, Signature, Symbol, SymbolKind
+from rosward.ir.arithmetic import SMALL, same_type
+from rosward.ir.symbols import ParameterSymbol, Signature
+from rosward.models.cpp.number_conversions import OCTETS
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.traits import NO_TYPE
 from rosward.models.cpp.types import NOT_OF_ONE, argument
@@ -40,7 +43,6 @@ _CONVERTED: Final = 1
 _NEVER: Final = 0
 _INTEGERS: Final = frozenset({"int", "long", "short", "unsigned", "size_t", "char"})
 _FLOATS: Final = frozenset({"float", "double"})
-_TEXTS: Final = frozenset({"std.string", "std.string_view", "string", "std.filesystem.path"})
 _CALLABLES: Final = (Function, BoundMethod, Partial, Overloads)
 
 
@@ -52,9 +54,10 @@ def choose(
     if len(by_number) <= 1:
         return by_number or list(functions[:1])
     values = [read(machine, a) for a in args]
+    numbers = numbers_written(machine, args)
     scores: list[tuple[Function, tuple[int, ...]]] = []
     for function in by_number:
-        score = _score(machine, function, values, types)
+        score = _score(machine, function, values, types, numbers)
         if score is not None:
             scores.append((function, score))
     if not scores:
@@ -144,7 +147,11 @@ def _better(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
 
 
 def _score(
-    machine: Engine, function: Function, values: Sequence[Value], types: tuple[Value, ...]
+    machine: Engine,
+    function: Function,
+    values: Sequence[Value],
+    types: tuple[Value, ...],
+    numbers: tuple[str, ...] = (),
 ) -> tuple[int, ...] | None:
     signature = function.code.signature
     if signature is None:
@@ -160,10 +167,22 @@ def _score(
         points = max(_fits(machine, env, parameter, o, bindings, generic) for o in options(value))
         if points == _NEVER:
             return None
+        if numbers and numbers[index] and not generic.intersection(parameter.type.names):
+            points = _number(dotted(type_of_pattern(machine, env, parameter.type, bindings)), numbers[index], points)
         found.append(points)
     if bool(types) != bool(signature.template):  # f<T>(x) means a template
         found = [min(p, _TEMPLATE) for p in found] if types else found
     return tuple(found)
+
+
+def _number(name: str, number: str, points: int) -> int:
+    """How well a number whose type is written fits a type, which other types of numbers fit so well."""
+    type_ = same_type(name.removeprefix("std."))
+    if not _is_number(name):
+        return points
+    if type_ == number:
+        return _EXACT
+    return _NEAR if type_ == ("int" if number in SMALL else "double" if number == "float" else "") else _TEMPLATE
 
 
 def _parameter(signature: Signature, index: int) -> ParameterSymbol | None:
@@ -228,7 +247,7 @@ def fit(machine: Engine, value: Value, type_: Value) -> int:
 
 def _is_of_one(name: str, value: Tuple) -> bool:
     """Whether a type is made of a single value: a string not of several."""
-    return name in _INTEGERS | _FLOATS | {"bool"} or (name in _TEXTS and all(map(is_char_text, value.items)))
+    return name in _INTEGERS | _FLOATS | {"bool"} or (name in TEXTS and all(map(is_char_text, value.items)))
 
 
 _TRUTHS: Final = frozenset({"bool", "nullptr", "std.nullptr_t", "void"})
@@ -245,11 +264,18 @@ def _pointer(machine: Engine, value: Value, target: Value | None, name: str) -> 
     if not isinstance(value, Pointer):
         return _NEAR if name == "pointer" else _CONVERTED
     cls = type_of(machine, value.target)
+    other = bool(value.owner) is not name.endswith(".shared_ptr") and name in ("pointer", "std.shared_ptr")
     if cls == target or dotted(target) == "void":
         # A weak pointer may be made of a shared one: nobody knows which of them the value is.
-        return _TEMPLATE if name.endswith("weak_ptr") else _EXACT
+        return _TEMPLATE if name.endswith("weak_ptr") or other else _EXACT
     if isinstance(cls, Class) and isinstance(target, Class):
-        return _NEAR if target in cls.mro else _NEVER if linked(machine).info(target) else _CONVERTED
+        return (
+            (_TEMPLATE if other else _NEAR)
+            if target in cls.mro
+            else _NEVER
+            if linked(machine).info(target)
+            else _CONVERTED
+        )
     return _CONVERTED
 
 
@@ -261,10 +287,10 @@ def _is_open(machine: Engine, name: str) -> bool:
 def _callable(machine: Engine, type_: Value, name: str) -> int:
     if name in {"function", "std.function"}:
         return _EXACT
-    if name in _INTEGERS | _FLOATS | _TEXTS | {"bool"}:
+    if name in _INTEGERS | _FLOATS | TEXTS | {"bool"}:
         return _NEVER
     if isinstance(type_, Class):
-        return _CONVERTED if _converts(machine, type_, TypeOf("function", ())) else _NEVER
+        return _CONVERTED if converts(machine, type_, TypeOf("function", ())) else _NEVER
     return _CONVERTED
 
 
@@ -280,27 +306,31 @@ def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value
         return _characters(machine, value, type_, name, target)
     words = set(name.replace("std.", "").split())
     if own == STRING:
-        if name in _TEXTS:
+        if name in TEXTS:
             return _EXACT
         if target is not None and dotted(target) == "char":
             return _CONVERTED if isinstance(value, Const) else _EXACT
         if words & _INTEGERS:
-            return _STANDARD if isinstance(value, Const) and len(str(value.value)) == 1 else _NEVER
-    elif own in (TypeOf("int", ()), TypeOf("bool", ()), TypeOf("double", ())):
-        kind = dotted(own)
-        if name == kind:
+            is_char = isinstance(value, Const) and len(str(value.value)) == 1
+            return _NEVER if not is_char else _EXACT if name == "char" else _TEMPLATE if name == "int" else _STANDARD
+    elif (kind := dotted(own)) in NUMBERS:
+        if name == kind or OCTETS.get(name.removeprefix("std.")) == kind:
             return _EXACT
+        if kind in OCTETS:
+            return (
+                _NEAR if name == "int" else _TEMPLATE if _is_number(name) else _NEVER if name in TEXTS else _CONVERTED
+            )
         integer = bool(words & _INTEGERS) or name.endswith("_t")
-        if integer and kind == "int":
+        if integer and (kind == "int" or (kind == "bool" and name == "int")):
             return _NEAR
         if integer or words & _FLOATS or name == "bool":
             return _TEMPLATE
-        if name in _TEXTS:
+        if name in TEXTS:
             return _NEVER
     if target is not None:
         return _NEVER
     if isinstance(type_, Class):
-        return _CONVERTED if _converts(machine, type_, own) else _NEVER
+        return _CONVERTED if converts(machine, type_, own) else _NEVER
     return _CONVERTED if isinstance(type_, (External, Native)) or name.startswith("std.") else _NEVER
 
 
@@ -313,7 +343,7 @@ def _characters(machine: Engine, value: Value, type_: Value, name: str, target: 
     if _is_number(name) or name in {"char", "float", "double"}:
         return _NEVER
     if isinstance(type_, Class):
-        return _CONVERTED if _converts(machine, type_, type_of(machine, value)) else _NEVER
+        return _CONVERTED if converts(machine, type_, type_of(machine, value)) else _NEVER
     return _CONVERTED
 
 
@@ -321,46 +351,13 @@ def _enumerator(own: Value, type_: Value, name: str) -> int:
     """A value of an enumeration is converted to a number, if anything."""
     if own == type_:
         return _EXACT
-    if name in _TEXTS or (isinstance(type_, (Class, TypeOf)) and not _is_number(name)):
+    if name in TEXTS or (isinstance(type_, (Class, TypeOf)) and not _is_number(name)):
         return _NEVER
     return _TEMPLATE if name == "int" else _CONVERTED
 
 
 def _is_number(name: str) -> bool:
     return bool(set(name.replace("std.", "").split()) & (_INTEGERS | _FLOATS)) or name == "bool" or name.endswith("_t")
-
-
-def _converts(machine: Engine, cls: Class, own: Value) -> bool:
-    """Whether a class may be made of one value of a type."""
-    info = linked(machine).info(cls)
-    if info is None:
-        return True
-    found = linked(machine).symbols.at(info.scope, info.symbol.name)
-    constructors = [s for s in found if s.kind is SymbolKind.FUNCTION]
-    return any(_takes_one(s) and not s.explicit and _may_be(machine, info.env, s, own) for s in constructors)
-
-
-def _takes_one(symbol: Symbol) -> bool:
-    least = sum(1 for p in symbol.parameters if not p.default and not p.pack)
-    return least <= 1 <= len(symbol.parameters)
-
-
-def _may_be(machine: Engine, env: ModuleValue, symbol: Symbol, own: Value) -> bool:
-    pattern = symbol.parameters[0].type
-    generic = frozenset(p.name for p in symbol.template or ())
-    if any(n in generic for n in pattern.names):
-        return True
-    wanted = type_of_pattern(machine, env, pattern)
-    name, have = dotted(wanted), dotted(own)
-    if isinstance(wanted, Class):
-        return False
-    if have == "pointer":  # a literal: two conversions are one too many
-        return pointee(wanted) is not None
-    if have == "std.string":
-        return name in _TEXTS or pointee(wanted) is not None
-    if have in {"int", "double", "bool"}:
-        return pointee(wanted) is None and name not in _TEXTS and name not in {"std.function", "function"}
-    return name in {"std.function", "function"} if have == "function" else True
 
 
 def _object(machine: Engine, cls: Value, type_: Value, name: str) -> int:
@@ -370,7 +367,7 @@ def _object(machine: Engine, cls: Value, type_: Value, name: str) -> int:
         if isinstance(cls, Class) and type_ in cls.mro:
             return _NEAR
         if isinstance(cls, Class) and linked(machine).info(type_) is not None:
-            return _CONVERTED if _convertible(machine, type_, cls) else _NEVER
+            return _CONVERTED if is_convertible(machine, type_, cls) else _NEVER
         return _CONVERTED
     if isinstance(type_, TypeOf):
         own = dotted(cls)
@@ -378,19 +375,5 @@ def _object(machine: Engine, cls: Value, type_: Value, name: str) -> int:
             return _NEAR
         return _NEVER if name in _INTEGERS | _FLOATS or "." not in name or name == "pointer" else _CONVERTED
     if isinstance(cls, Class) and not any(isinstance(b, External) for b in cls.mro):
-        return _CONVERTED if name in _TEXTS else _NEVER if name.startswith("std.") else _CONVERTED
-    return _NEVER if name in _TEXTS and isinstance(cls, External) else _CONVERTED
-
-
-def _convertible(machine: Engine, type_: Class, cls: Class) -> bool:
-    info = linked(machine).info(type_)
-    if info is None:
-        return True
-    for symbol in linked(machine).symbols.at(info.scope, info.symbol.name):
-        if symbol.kind is SymbolKind.FUNCTION and _takes_one(symbol) and not symbol.explicit:
-            pattern = symbol.parameters[0].type
-            if any(n in {p.name for p in symbol.template or ()} for n in pattern.names):
-                return True
-            if type_of_pattern(machine, info.env, pattern) in cls.mro:
-                return True
-    return False
+        return _CONVERTED if name in TEXTS else _NEVER if name.startswith("std.") else _CONVERTED
+    return _NEVER if name in TEXTS and isinstance(cls, External) else _CONVERTED

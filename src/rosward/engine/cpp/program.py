@@ -105,15 +105,21 @@ def _first_values(machine: Engine) -> None:
     of the program, are computed when they are asked for."""
     program = linked(machine)
     for symbol in program.symbols.variables:
-        if symbol.code is None or symbol.template:
+        if symbol.template or (symbol.code is None and not _may_be_object(symbol)):
             continue
         scope = symbol.scope
         env = program.namespace(machine, scope, symbol.place.file)
-        if symbol.constant and not _calls(symbol) and not _is_object(machine, symbol, env):
+        if (symbol.constant or symbol.code is None) and not _calls(symbol) and not _is_object(machine, symbol, env):
             continue
         cls = _class_at(machine, scope) if scope else None
         info = program.info(cls) if cls is not None else None
         variable(machine, Found((symbol,), info.env if info is not None else env, info))
+
+
+def _may_be_object(symbol: Symbol) -> bool:
+    """Whether what is declared without a first value may be an object: `static Registrar<Mop> registrar;`."""
+    names_ = symbol.pattern.names
+    return bool(names_) and not symbol.pattern.pointers and names_[0] != "std"
 
 
 def _calls(symbol: Symbol) -> bool:

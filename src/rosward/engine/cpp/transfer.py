@@ -14,10 +14,21 @@ from rosward.domain.heap import Obj
 from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Value
-from rosward.engine.cpp import access, as_type, calls, construct, initialising, methods, naming, narrowing, operators
+from rosward.engine.cpp import (
+    access,
+    as_type,
+    calls,
+    construct,
+    endings,
+    initialising,
+    methods,
+    naming,
+    narrowing,
+    operators,
+)
 from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.packs import items_of
-from rosward.engine.cpp.types import pointer_to, type_of
+from rosward.engine.cpp.types import pointee, pointer_to, type_of
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
 from rosward.engine.python import exceptions as python_exceptions
@@ -124,9 +135,11 @@ def _copy(machine: Engine, op: cpp.Copy, frame: Frame) -> bool | None:
     value = frame.registers[op.src]
     if value is UNBOUND:
         return None
-    if op.type == ops.NO_REGISTER or frame.registers[op.type].__class__ is TypeOf:
+    type_ = NONE if op.type == ops.NO_REGISTER else frame.registers[op.type]
+    if type_.__class__ is TypeOf:
+        type_ = pointee(type_) or type_
+    if type_ is NONE or type_.__class__ is TypeOf:
         return _kept(frame, op.dst, copied(machine, value))
-    type_ = frame.registers[op.type]
     held = read(machine, value)
     sliced = held.__class__ in (Ref, Choice) and as_type.is_of_another(machine, held, type_)
     return _kept(frame, op.dst, as_type.as_one(machine, held, type_) if sliced else copied(machine, held))
@@ -280,9 +293,8 @@ def _static_local(machine: Engine, op: cpp.StaticLocal, frame: Frame) -> bool | 
 def _end_scope(machine: Engine, op: cpp.EndScope, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     for register in reversed(op.variables):
-        for option in options(read(machine, frame.registers[register])):
-            if isinstance(option, Ref) and not methods.destroy(machine, option):
-                return DEAD
+        if not endings.end(machine, read(machine, frame.registers[register])):
+            return DEAD
     return None
 
 

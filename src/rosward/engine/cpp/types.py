@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Enumerated, Overloads, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
@@ -98,6 +99,8 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
             return External(value.value.enumeration)
         if is_char_text(value):
             return _CHARACTERS
+        if isinstance(value.value, Whole):
+            return TypeOf(value.value.named, ())
         return _OF_PLAIN.get(value.value.__class__, STRING)
     if isinstance(value, Text):
         return STRING

@@ -17,7 +17,7 @@ _COMPILER: Final = (
     "__GNUC_PATCHLEVEL__ 0",
     "__STDC_HOSTED__ 1", "__STDC__ 1", "__ELF__ 1", "__CHAR_BIT__ 8", "__SIZEOF_POINTER__ 8", "__LP64__ 1", "__EXCEPTIONS 1",
     "__cpp_exceptions 199711L", "__cpp_lib_filesystem 201703L", "__cpp_if_constexpr 201606L", "__cpp_lib_optional 201606L",
-    "__PRETTY_FUNCTION__ __func__", "__FUNCTION__ __func__",
+    "__PRETTY_FUNCTION__ __pretty_function__", "__FUNCTION__ __func__",
 )  # fmt: skip
 _SHARED: Final = "using SharedPtr = std::shared_ptr<X>; using ConstSharedPtr = std::shared_ptr<const X>;"
 _WEAK: Final = "using WeakPtr = std::weak_ptr<X>; using ConstWeakPtr = std::weak_ptr<const X>;"

@@ -277,3 +277,8 @@ def _standing(node: Node, type_node: Node, declarators: list[Node]) -> str | Non
     if node.type == "type_definition" and declarators[0].type == "type_identifier":
         return text_of(declarators[0])
     return unnamed(type_node)
+
+
+def has_variables(node: Node) -> bool:
+    """Whether a class stands where variables are declared of it: `struct {float x; float y;} part;`."""
+    return node.parent is not None and bool(node.parent.children_by_field_name("declarator"))

@@ -64,6 +64,14 @@ def written(node: Node, depth: int = 0) -> TypePattern:
     )
 
 
+def declared(whole: Node, declarator: Node) -> TypePattern:
+    """The type of a variable that a declaration declares; of an alias, what it stands for."""
+    if whole.type == "alias_declaration":
+        type_ = whole.child_by_field_name("type")
+        return TypePattern() if type_ is None else written(type_)
+    return pattern(whole.child_by_field_name("type"), declarator)
+
+
 def has_const(node: Node) -> bool:
     """Whether `const` or `constexpr` stands beside a type."""
     return any(child.type == "type_qualifier" and child.text in {b"const", b"constexpr"} for child in node.children)

@@ -10,10 +10,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Final, Protocol, final
 
+from rosward.frontends.cpp import patterns
 from rosward.frontends.cpp.declarators import dense, inner, spelled, template_parameter_name
 from rosward.frontends.cpp.lower import entry as lower
 from rosward.frontends.cpp.marks import function_of, marks_of, words_of
-from rosward.frontends.cpp.outline import CLASSES, Declared, is_scoped, local, members
+from rosward.frontends.cpp.outline import CLASSES, Declared, has_variables, is_scoped, local, members
 from rosward.frontends.cpp.parse import Parsed
 from rosward.frontends.cpp.patterns import arguments, has_const, parameter_nodes, parameters
 from rosward.frontends.cpp.written import DefaultArgument, Written
@@ -202,11 +203,13 @@ class CppSymbol:
 
     @cached_property
     def reference(self) -> bool:
-        """A variable that is a reference; a function that returns one."""
+        """A variable that is a reference; a function that returns one; an alias of one."""
         for child in self.function.children if self.function is not None else ():
             if child.type == "trailing_return_type" and child.named_children:
                 trailing = child.named_children[0].child_by_field_name("declarator")
                 return trailing is not None and trailing.type in _REFERENCES
+        if self.kind is SymbolKind.ALIAS:
+            return bool(self.pattern.reference)
         node = self._declarator
         while node is not None and node != self.function:
             if node.type in _REFERENCES:
@@ -215,11 +218,16 @@ class CppSymbol:
         return False
 
     @cached_property
+    def pattern(self) -> TypePattern:
+        """The type of a variable or alias as it is written."""
+        return patterns.declared(self.declared.whole, self.declared.node)
+
+    @cached_property
     def overlaps(self) -> bool:
         """A field that shares its storage with others, of a union. A class without a name is a part of what is around it."""
         node = self.declared.node.parent
         while node is not None and node.type != "union_specifier":
-            if node.type in CLASSES and (node.child_by_field_name("name") is not None or _has_variables(node)):
+            if node.type in CLASSES and (node.child_by_field_name("name") is not None or has_variables(node)):
                 return False
             node = node.parent
         return node is not None
@@ -388,8 +396,3 @@ def _computed_type(node: Node) -> Node | None:
         else None
     )
     return type_ if type_ is not None and b"<" in (type_.text or b"") else None
-
-
-def _has_variables(node: Node) -> bool:
-    """Whether a class stands where variables are declared of it: `struct {float x; float y;} part;`."""
-    return node.parent is not None and bool(node.parent.children_by_field_name("declarator"))

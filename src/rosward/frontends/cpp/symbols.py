@@ -118,6 +118,8 @@ class CppSymbols:
         found: dict[CppSymbol, None] = {}
         for file in self.files:
             for symbol in file.variables:
+                if "extern" in symbol.words and symbol.code is None:
+                    continue
                 whole = next((s for s in self.at(symbol.scope, symbol.name) if s.key == symbol.key), None)
                 if whole is not None:
                     found[whole] = None

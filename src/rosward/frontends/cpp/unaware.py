@@ -36,9 +36,8 @@ _NAMED: Final = frozenset({SymbolKind.CLASS, SymbolKind.FUNCTION, SymbolKind.VAR
 def unaware(files: Sequence[FileSymbols]) -> frozenset[str]:
     """Those of a program, by the names that places have for them."""
     own = [file for file in files if not file.parsed.prepared.file.startswith(PREFIX)]
-    words = {file: set(_WORD.findall(file.parsed.prepared.text)) for file in own}
-    left = [file for file in own if not _is_aware(file, words[file]) and not _keeps_something(file)]
-    aware = [file for file in own if file not in set(left)]
+    words = {file: found for file in own if (found := _words(file)) is not None and not _keeps_something(file)}
+    left, aware = list(words), [file for file in own if file not in words]
     while aware and left:  # what these declare the others may call
         names = {name for file in aware for name in _names(file)}
         paths = {file.parsed.prepared.path for file in aware}
@@ -47,23 +46,20 @@ def unaware(files: Sequence[FileSymbols]) -> frozenset[str]:
     return frozenset(file.parsed.prepared.file for file in left)
 
 
-def _is_aware(file: FileSymbols, words: set[str]) -> bool:
+def _words(file: FileSymbols) -> set[str] | None:
+    """The words of a file; None where it may say something of ROS."""
     prepared = file.parsed.prepared
-    if prepared.registrations:
-        return True
-    if not all(_DATA.fullmatch(name) or _LIBRARIES.fullmatch(name) for name in prepared.external):
-        return True
-    return not words.isdisjoint(modelled() | _CREATING) or any(word.startswith("create_") for word in words)
+    if prepared.registrations or not all(_DATA.fullmatch(n) or _LIBRARIES.fullmatch(n) for n in prepared.external):
+        return None
+    words = set(_WORD.findall(prepared.text))
+    if not words.isdisjoint(modelled() | _CREATING) or any(word.startswith("create_") for word in words):
+        return None
+    return words
 
 
 def _names(file: FileSymbols) -> set[str]:
     """What others may name of it: its classes, functions and variables, and the classes of which it defines members."""
-    found = {
-        name
-        for names in file.plain.values()
-        for name, symbols in names.items()
-        if any(symbol.kind in _NAMED for symbol in symbols)
-    }
+    found = {each.name for each in file.outline.declared if each.kind in _NAMED and not each.before}
     for scope, names in file.elsewhere.items():
         for name, symbols in names.items():
             found.add(scope[-1] if scope and any(map(file.in_class, symbols)) else name)

@@ -11,9 +11,11 @@ from typing import Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Slice, Tuple
+from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import concat
-from rosward.domain.values import EMPTY, NONE, Const, Value
+from rosward.domain.unknown import Cause, Origins
+from rosward.domain.values import EMPTY, NONE, Const, Ref, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import write
@@ -21,6 +23,7 @@ from rosward.models.cpp.formatting import printf
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.string_parts import as_python
 from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.python.containers.lists import write_series
 from rosward.models.python.operators import operators as python
 from rosward.models.python.plain import int_of, origins, spread, text_of, unknown_from
 
@@ -43,10 +46,29 @@ def _put(machine: Machine, place: Value, text: Value) -> None:
         if isinstance(target, Slot) and isinstance(target.base, Slot) and begin is not None:
             before = python.load_item(machine, read(machine, target.base), Slice(NONE, Const(begin), NONE))
             write(machine, target.base, concat((before, text)) if begin else text, weak=len(options(held)) > 1)
+        elif (
+            isinstance(target, Slot)
+            and isinstance(target.base, Ref)
+            and begin is not None
+            and text_of(text) is not None
+        ):
+            _fill(machine, target.base, begin, str(text_of(text)), origins(text))
         elif isinstance(target, Slot):
             write(machine, target, unknown_from(machine, "characters", "str", text), weak=True)
     if not pointers:
         write(machine, place, text)
+
+
+def _fill(machine: Machine, ref: Ref, begin: int, text: str, source: Origins) -> None:
+    """The elements of a container of characters, from one on."""
+    series = machine.obj(ref).series()
+    fresh = tuple(Const(char, source) for char in f"{text}\0")
+    if series.exact and begin + len(fresh) <= len(series.head):
+        write_series(machine, ref, Series((*series.head[:begin], *fresh, *series.head[begin + len(fresh) :])))
+    else:
+        write_series(
+            machine, ref, Series((*series.head[:begin], *fresh), machine.unknown(Cause.OPERATION, "characters", "str"))
+        )
 
 
 def _snprintf(call: NativeCall) -> Value:

@@ -11,6 +11,11 @@ __all__ = ["character_of"]
 
 def character_of(value: Value) -> str | None:
     """The character that a value is; a small number is one, too."""
-    if isinstance(value, Const) and value.value.__class__ is int and 0 <= value.value < 128:
+    if (
+        isinstance(value, Const)
+        and isinstance(value.value, int)
+        and value.value.__class__ is not bool
+        and 0 <= value.value < 128
+    ):
         return chr(value.value)
     return text_of(value)

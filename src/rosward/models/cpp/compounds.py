@@ -23,13 +23,13 @@ from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.elements import parts, series_of
 from rosward.models.cpp.exceptions import may_raise, raises
 from rosward.models.cpp.slots import new_pair, read
-from rosward.models.cpp.types import Shape, argument, hint_of, shape_of
+from rosward.models.cpp.types import Shape, argument, hint_of, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.lists import write_series
 from rosward.models.python.operators.compare import kind_of
 from rosward.models.python.plain import int_of, unknown_from
 
-__all__ = ["NATIVES", "is_of_type"]
+__all__ = ["NATIVES", "alternative", "is_of_type"]
 
 _AUTO: Final = TypeOf("auto", ())
 
@@ -182,6 +182,15 @@ def _holds(call: NativeCall) -> Value:
         if decided is None
         else Const(decided)
     )
+
+
+def alternative(machine: Machine, value: Value, type_: Value) -> Value | None:
+    """`variant.index()`: which of the types of a variant the value has; None for what is declared as none."""
+    if name_of(type_) != "std.variant" or not isinstance(type_, TypeOf):
+        return None
+    fits = [is_of_type(machine, value, each) for each in type_.arguments]
+    known = fits.count(True) == 1 and None not in fits
+    return Const(fits.index(True)) if known else unknown_from(machine, "index", "int", value)
 
 
 def _get_if(call: NativeCall) -> Value:

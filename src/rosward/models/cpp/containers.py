@@ -20,7 +20,7 @@ from rosward.models.cpp.conversions import convert, default_value, owned
 from rosward.models.cpp.copies import copied, for_each, several
 from rosward.models.cpp.elements import between, series_of
 from rosward.models.cpp.iterators import as_iterator, iterator
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.slots import plain_number, read
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 from rosward.models.native import Machine, NativeCall
 from rosward.models.python.containers.lists import write_series
@@ -63,7 +63,7 @@ def made_of(machine: Machine, type_: Value, args: tuple[Value, ...], index: int 
 
 def place_of(machine: Machine, ref: Ref, index: Value) -> Value:
     """The slot of an element; an object itself."""
-    index = read(machine, index)
+    index = plain_number(read(machine, index))
     slot = Slot(ref, "item", index)
     held = read(machine, slot)
     return held if all(isinstance(option, Ref) for option in options(held)) else slot

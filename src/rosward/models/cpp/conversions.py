@@ -209,6 +209,14 @@ def _object(machine: Machine, value: Value, type_: Class) -> Value:
     return machine.call(type_, (value,))
 
 
+def _text_in(machine: Machine, ref: Ref, begin: int) -> Value | None:
+    """The text that stands in a container of characters, up to the first zero."""
+    found = [text_of(read(machine, item)) for item in machine.obj(ref).series().head[begin:]]
+    if "\0" not in found or None in found[: found.index("\0")]:
+        return None
+    return from_python(machine, "".join(map(str, found[: found.index("\0")])), what="string")
+
+
 def _text(machine: Machine, value: Value) -> Value:
     if is_char_text(value) and isinstance(value, Const):
         return Const(str(value.value), value.origins)
@@ -227,8 +235,11 @@ def _text(machine: Machine, value: Value) -> Value:
         return value if value.hint == "str" else Unknown(value.reasons, "str")
     if isinstance(value, Ref) and isinstance(machine.obj(value).cls, Class):
         return value  # an object that says itself what it is as a string
-    if isinstance(value, Pointer) and isinstance(value.target, Slot) and isinstance(value.target.base, Slot):
+    if isinstance(value, Pointer) and isinstance(value.target, Slot) and isinstance(value.target.base, (Ref, Slot)):
         begin = int_of(value.target.key) if isinstance(value.target.key, Value) else None
+        if isinstance(value.target.base, Ref):
+            text = None if begin is None else _text_in(machine, value.target.base, begin)
+            return unknown_from(machine, "string", "str", value) if text is None else text
         whole = read(machine, value.target.base)
         if begin == 0 or (begin is not None and text_of(whole) is not None):
             return whole if begin == 0 else from_python(machine, str(text_of(whole))[begin:], origins(whole))

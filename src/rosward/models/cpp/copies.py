@@ -22,6 +22,7 @@ from rosward.domain.unknown import NO_ORIGINS, Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.models.cpp.captures import with_own_cells
 from rosward.models.cpp.characters import character_of
+from rosward.models.cpp.owners import give_away
 from rosward.models.cpp.slots import key_of, read
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
@@ -197,7 +198,9 @@ def _copy_of(machine: Machine, ref: Ref, known: dict[int, Value], depth: int) ->
         return machine.unknown(Cause.LIMIT, "copy of an object")
     fresh = machine.allocate(obj.replace(many=False), ("copy", ref.address))
     known[ref.address] = fresh
-    return _filled(machine, fresh, obj, known, depth)
+    made = _filled(machine, fresh, obj, known, depth)
+    give_away(machine, ref)
+    return made
 
 
 def _filled(machine: Machine, fresh: Ref, obj: Obj, known: dict[int, Value], depth: int) -> Ref:
@@ -330,6 +333,7 @@ def assigned(machine: Machine, ref: Ref, value: Value, *, weak: bool = False, de
         if kept:
             changed = changed.replace(attrs={**changed.attrs, **kept})
         machine.update(ref, join_objects(old, changed, join) if weak else changed)
+        give_away(machine, option)
 
 
 def _assigned_by_program(machine: Machine, ref: Ref, value: Value) -> frozenset[str] | None:

@@ -15,6 +15,7 @@ from typing import Final
 
 from rosward.domain.choice import lift
 from rosward.domain.compound import Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.slots import Pointer
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
@@ -61,6 +62,8 @@ def shown(machine: Machine, value: Value, flags: Flags) -> Value:
 def _shown(machine: Machine, value: Value, flags: Flags) -> Value:
     if isinstance(value, Text) or text_of(value) is not None:
         return value
+    if isinstance(value, Const) and isinstance(value.value, Whole):
+        return from_python(machine, chr(value.value % 256), value.origins, "<<")
     if isinstance(value, Const):
         return from_python(machine, _of_constant(value.value, flags), value.origins, "<<")
     if isinstance(value, Unknown):

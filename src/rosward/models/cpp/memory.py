@@ -17,17 +17,23 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
-from rosward.domain.slots import Pointer, Slot, TypeOf
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Unknown, Value
+from rosward.domain.slots import Owner, Pointer, Slot, TypeOf
+from rosward.domain.values import EMPTY, NONE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert, default_value, new_container
 from rosward.models.cpp.copies import copied, several, write
+from rosward.models.cpp.owners import owning
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import Shape, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import int_of, unknown_from
 
 __all__ = ["NATIVES", "OF_PLACES", "pointer_to"]
+
+
+def _owner(name: str) -> Owner:
+    """What a pointer of a type, or made by a function, is to what it leads to."""
+    return "unique" if "unique" in name else "shared" if "shared" in name else ""
 
 
 def pointer_to(machine: Machine, value: Value) -> Value:
@@ -43,6 +49,10 @@ def pointer_to(machine: Machine, value: Value) -> Value:
 
 def _make(call: NativeCall) -> Value:
     """std::make_shared<T>(arguments…)."""
+    return owning(_made(call), _owner(call.name))
+
+
+def _made(call: NativeCall) -> Value:
     machine, types = call.machine, call.keywords.get("types")
     if not isinstance(types, Tuple) or not types.items:
         return unknown_from(machine, call.name, "", *call.args)
@@ -62,6 +72,9 @@ def _make_array(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Valu
     """std::make_unique<T[]>(n)."""
     inner = type_.arguments[0] if isinstance(type_, TypeOf) and type_.arguments else TypeOf("auto", ())
     count = int_of(read(machine, args[0])) if args else None
+    if name_of(inner) == "char":  # characters are kept as the text that they make
+        text = pointer_to(machine, EMPTY)
+        return Pointer(Slot(text.target, "item", Const(0))) if isinstance(text, Pointer) else text
     known = count is not None and 0 <= count <= 1_000
     series = (
         Series(tuple(default_value(machine, inner) for _ in range(count or 0)))
@@ -73,7 +86,11 @@ def _make_array(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Valu
 
 
 def _new(call: NativeCall) -> Value:
-    """std::shared_ptr<T>(pointer, deleter): the type comes first."""
+    """std::shared_ptr<T>(pointer, deleter): the type comes first. What a deleter of its own does to what it leads to is not followed."""
+    return owning(_new_of(call), _owner(call.name) if len(call.args) < 3 else "")
+
+
+def _new_of(call: NativeCall) -> Value:
     machine, args = call.machine, call.args[1:]
     if not args:
         return NONE
@@ -89,18 +106,20 @@ def _new(call: NativeCall) -> Value:
 
 
 def _get(call: NativeCall) -> Value:
-    return read(call.machine, call.args[0])
+    return owning(read(call.machine, call.args[0]), "")
 
 
 def _reset(call: NativeCall) -> Value:
-    write(call.machine, call.args[0], read(call.machine, call.args[1]) if len(call.args) > 1 else NONE)
+    given = read(call.machine, call.args[1]) if len(call.args) > 1 else NONE
+    held = {o.owner for o in options(read(call.machine, call.args[0])) if isinstance(o, Pointer)}
+    write(call.machine, call.args[0], owning(given, held.pop() if len(held) == 1 and len(call.args) < 3 else ""))
     return NONE
 
 
 def _release(call: NativeCall) -> Value:
     held = read(call.machine, call.args[0])
     write(call.machine, call.args[0], NONE)
-    return held
+    return owning(held, "")
 
 
 def _swap(call: NativeCall) -> Value:
@@ -179,7 +198,7 @@ def _address(call: NativeCall) -> Value:
 
 def _shared_from_this(call: NativeCall) -> Value:
     held = read(call.machine, call.args[0])
-    return held if isinstance(held, Pointer) else Pointer(held) if isinstance(held, Ref) else held
+    return owning(held, "shared") if not isinstance(held, Ref) else Pointer(held, "shared")
 
 
 def _exchange(call: NativeCall) -> Value:

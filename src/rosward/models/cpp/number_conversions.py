@@ -8,6 +8,7 @@ import struct
 from collections.abc import Callable, Mapping
 from typing import Final
 
+from rosward.domain.enumerated import Whole
 from rosward.domain.values import NONE, Const, Unknown, Value
 from rosward.models.cpp.types import Shape, name_of
 from rosward.models.native import Machine
@@ -34,6 +35,13 @@ NARROW: Final[Mapping[str, int]] = {
 """The types of whole numbers that a program may well leave, and how many bits they have."""
 
 
+OCTETS: Final[Mapping[str, str]] = {
+    **dict.fromkeys(("uint8_t", "unsigned char"), "uint8_t"),
+    **dict.fromkeys(("int8_t", "signed char"), "int8_t"),
+}
+"""The types of whole numbers that are characters to a stream, by their other names."""
+
+
 def truncated(number: int, words: list[str]) -> int:
     """A whole number as a type of that width has it: a narrow one, or one that stands for `npos`; overflow is no matter otherwise."""
     name = " ".join(words).removeprefix("std.")
@@ -48,17 +56,17 @@ def truncated(number: int, words: list[str]) -> int:
 
 def _int(machine: Machine, value: Value, type_: Value) -> Value:
     if isinstance(value, Const):
+        if isinstance(value.value, str) and len(value.value) != 1:
+            return unknown_from(machine, "int", "int")
         if isinstance(value.value, str):
-            return (
-                Const(ord(value.value), value.origins) if len(value.value) == 1 else unknown_from(machine, "int", "int")
-            )
+            value = Const(ord(value.value), value.origins)
         if isinstance(value.value, (bool, int)):
             words = name_of(type_).split()
-            unsigned = (
-                name_of(type_).removeprefix("std.").startswith("u")
-                and name_of(type_).removeprefix("std.") not in NARROW
-            )
-            return Const(int(value.value) % 2**64 if unsigned else truncated(int(value.value), words), value.origins)
+            name = name_of(type_).removeprefix("std.")
+            unsigned = name.startswith(("u", "size_t")) and name not in NARROW
+            number = int(value.value) % 2**64 if unsigned else truncated(int(value.value), words)
+            octet = OCTETS.get(name)
+            return Const(number if octet is None else Whole(number, octet), value.origins)
         if isinstance(value.value, float) and math.isfinite(value.value):
             return from_python(machine, int(value.value), value.origins, "int")
         if value == NONE:

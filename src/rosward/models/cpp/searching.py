@@ -129,6 +129,48 @@ def _equal(call: NativeCall) -> Value:
     return FALSE if False in answers else unknown_from(machine, "equal", "bool") if None in answers else TRUE
 
 
+def _mismatch(call: NativeCall) -> Value:
+    """std::mismatch(first, last, other): where the first elements stand that differ."""
+    machine = call.machine
+    start, other = read(machine, call.args[0]), read(machine, call.args[2])
+    ours, theirs = places(machine, start, call.args[1]), None
+    is_bounded = len(call.args) > 3 and as_iterator(read(machine, call.args[3])) is not None
+    if ours is not None:
+        theirs = places(machine, other, call.args[3] if is_bounded else moved(machine, other, Const(len(ours))))
+    given = call.args[4:] if is_bounded else call.args[3:]
+    if ours is None or theirs is None:
+        return unknown_from(machine, "mismatch", "", anything(call))
+    for one, two in zip(ours, theirs, strict=False):
+        values = place(machine, one), place(machine, two)
+        equal = machine.truth(
+            machine.call(read(machine, given[0]), values)
+            if given
+            else machine.compare("==", *(read(machine, v) for v in values))
+        )
+        if equal is None:
+            return unknown_from(machine, "mismatch", "", anything(call))
+        if not equal:
+            return new_pair(machine, one, two)
+    common = Const(min(len(ours), len(theirs)))
+    return new_pair(machine, moved(machine, start, common), moved(machine, other, common))
+
+
+def _lexicographical(call: NativeCall) -> Value:
+    """std::lexicographical_compare(first, last, first of the other, last of the other)."""
+    machine = call.machine
+    ours, theirs = (places(machine, call.args[n], call.args[n + 1]) for n in (0, 2))
+    if ours is None or theirs is None:
+        return unknown_from(machine, "lexicographical_compare", "bool", anything(call), anything(call, 2))
+    for one, two in zip(ours, theirs, strict=False):
+        for first, second in ((one, two), (two, one)):
+            less = _less(call, place(machine, first), place(machine, second), 4)
+            if less is None:
+                return unknown_from(machine, "lexicographical_compare", "bool", anything(call))
+            if less:
+                return TRUE if first is one else FALSE
+    return TRUE if len(ours) < len(theirs) else FALSE
+
+
 def _extreme(call: NativeCall) -> Value:
     """max_element, min_element."""
     machine = call.machine
@@ -191,6 +233,8 @@ _FUNCTIONS: Final[dict[str, NativeFunction]] = {
     **dict.fromkeys(("count", "count_if"), _count),
     **dict.fromkeys(("all_of", "any_of", "none_of"), _quantified),
     "equal": _equal,
+    "mismatch": _mismatch,
+    "lexicographical_compare": _lexicographical,
     **dict.fromkeys(("max_element", "min_element"), _extreme),
     "minmax_element": _both_extremes,
     **dict.fromkeys(("lower_bound", "upper_bound", "binary_search"), _search_sorted),
@@ -199,6 +243,8 @@ _FUNCTIONS: Final[dict[str, NativeFunction]] = {
 NATIVES: Final[dict[str, NativeFunction]] = {
     f"std.{name}": decaying(function)
     for name, function in with_least(
-        _FUNCTIONS, 3, dict.fromkeys(("max_element", "min_element", "minmax_element"), 2)
+        _FUNCTIONS,
+        3,
+        {**dict.fromkeys(("max_element", "min_element", "minmax_element"), 2), "lexicographical_compare": 4},
     ).items()
 }

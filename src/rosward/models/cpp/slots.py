@@ -11,10 +11,11 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.choice import join_all, options
+from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.heap import Obj
-from rosward.domain.slots import Slot, TypeOf
+from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Value
 from rosward.models.cpp.typed import unknown_sequence
@@ -24,7 +25,7 @@ from rosward.models.python.operators import items as python_items
 from rosward.models.python.plain import int_of, text_of, unknown_from
 from rosward.models.ros import message_fields
 
-__all__ = ["is_structure", "key_of", "key_value", "new_pair", "read", "read_field", "unfolded"]
+__all__ = ["is_structure", "key_of", "key_value", "new_pair", "plain_number", "read", "read_field", "unfolded"]
 
 _VALUE: Final = "value"
 _DEEPEST: Final = 12
@@ -117,13 +118,22 @@ def _at(machine: Machine, obj: Obj, key: Value) -> Value:
 # Keys of maps
 
 
+def plain_number(value: Value) -> Value:
+    """A number without its type: what stands under `m[id]` is the same for all types of `id`."""
+    if value.__class__ is Choice:
+        return lift(plain_number, value)
+    return (
+        Const(int(value.value), value.origins) if isinstance(value, Const) and isinstance(value.value, Whole) else value
+    )
+
+
 def key_of(machine: Machine, value: Value, depth: int = 0) -> Value:
     """A value as the key of a map or element of a set: what is compared by its content is a tuple of that."""
     value = read(machine, value)
     if isinstance(value, Choice):
         return join_all(key_of(machine, option, depth) for option in value.options)
     if not isinstance(value, Ref):
-        return value
+        return Pointer(value.target) if isinstance(value, Pointer) else plain_number(value)
     if depth >= _DEEPEST:
         return machine.unknown(Cause.LIMIT, "key")
     obj = machine.obj(value)

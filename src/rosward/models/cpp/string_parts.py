@@ -17,7 +17,7 @@ from rosward.models.cpp import streams
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.elements import between
 from rosward.models.cpp.exceptions import may_raise, raises
-from rosward.models.cpp.iterators import as_iterator
+from rosward.models.cpp.iterators import as_iterator, moved
 from rosward.models.cpp.slots import read
 from rosward.models.native import Machine, NativeCall, perform
 from rosward.models.python.operators import operators as python
@@ -66,7 +66,8 @@ def text_from(machine: Machine, args: tuple[Value, ...]) -> Value:
     if not values:
         return EMPTY
     if len(values) > 1 and as_iterator(values[0]) is not None:
-        series = between(machine, values[0], values[1])
+        counted = int_of(values[1]) is not None
+        series = between(machine, values[0], moved(machine, values[0], values[1]) if counted else values[1])
         if series.exact:
             return from_characters(machine, series.head)
         return unknown_from(machine, "string", "str", series.element())

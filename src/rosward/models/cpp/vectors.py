@@ -32,7 +32,6 @@ from rosward.models.cpp.containers import (
 )
 from rosward.models.cpp.conversions import convert, default_value, is_one, new_container
 from rosward.models.cpp.copies import copied, for_each
-from rosward.models.cpp.elements import series_of
 from rosward.models.cpp.exceptions import may_raise, raises
 from rosward.models.cpp.iterators import as_iterator, iterator, leading_into
 from rosward.models.cpp.iterators import begin as begin_of
@@ -286,18 +285,6 @@ def _as_algorithm(name: str) -> NativeFunction:
     return apply
 
 
-def _splice(call: NativeCall) -> Value:
-    """list.splice(position, other): all of the other."""
-    machine = call.machine
-    for ref in receivers(call):
-        more = series_of(machine, call.args[2])
-        _inserted(machine, ref, as_iterator(read(machine, call.args[1])), more)
-        for other in options(read(machine, call.args[2])):
-            if isinstance(other, Ref):
-                write_series(machine, other, Series())
-    return NONE
-
-
 # Making
 
 
@@ -370,7 +357,6 @@ _METHODS: Final[dict[str, NativeFunction]] = {
     "sort": _sort,
     "remove_if": _as_algorithm("remove_if"),
     "unique": _as_algorithm("unique"),
-    "splice": _splice,
 }
 
 _LEAST: Final = {
@@ -390,7 +376,7 @@ _LEAST: Final = {
         ),
         2,
     ),
-    **dict.fromkeys(("insert", "splice"), 3),
+    **dict.fromkeys(("insert",), 3),
     "emplace": 2,
 }
 NATIVES: Final[dict[str, NativeFunction]] = {

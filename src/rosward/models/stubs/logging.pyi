@@ -22,6 +22,8 @@ class Filterer:
 
 class LogRecord:
     """Not followed."""
+    def __init__(self, name=None, level=None, pathname=None, lineno=None, msg=None, args=None, exc_info=None,
+                 func=None, sinfo=None, **kwargs): ...
 
 class Formatter:
     def __init__(self, fmt=None, datefmt=None, style='%', validate=True, *, defaults=None): ...
@@ -138,6 +140,12 @@ def disable(level=CRITICAL) -> None: ...
 def shutdown(handlerList=None) -> None: ...
 def addLevelName(level, levelName) -> None: ...
 def getLevelName(level): ...
+def getLogRecordFactory():
+    return LogRecord
+def setLogRecordFactory(factory):
+    text = unknown('call', 'what is logged', 'str')
+    schedule(factory, text, unknown('call', 'level', 'int'), text, unknown('call', 'line', 'int'), text,
+             unknown('call', 'arguments of what is logged', 'tuple'), None, text, None, event='log')
 def setLoggerClass(klass):
     escape(klass)
 def getLoggerClass():

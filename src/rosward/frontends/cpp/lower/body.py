@@ -109,6 +109,7 @@ class Body:
         "floor",
         "free",
         "free_register",
+        "function",
         "has_this",
         "jumps",
         "late",
@@ -126,6 +127,7 @@ class Body:
     def __init__(self, shared: Shared, qualname: str, depth: int = 0) -> None:
         self.shared = shared
         self.qualname = qualname
+        self.function = ""  # what `__func__` is
         self.depth = depth
         self.ops: Block = []
         self.pinned: tuple[int, int] | None = None  # where everything is said to stand, for a default of another file

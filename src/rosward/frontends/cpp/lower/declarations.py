@@ -13,6 +13,7 @@ from rosward.frontends.cpp.lower.initialisers import Given, construct, given
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import parts_of
+from rosward.frontends.cpp.lower.seen import own
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import (
     ARRAYS,
@@ -29,7 +30,7 @@ from rosward.frontends.cpp.lower.types import (
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.core import NO_REGISTER, Binary
-from rosward.ir.cpp import Argued, Convert, Copy, Destructure, Invoke, Item, StaticLocal
+from rosward.ir.cpp import Argued, Convert, Destructure, Invoke, Item, StaticLocal
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -180,17 +181,6 @@ def _deduced(body: Body, value: Node, equals: bool) -> int:
     if value.type == "argument_list" or (value.type == "initializer_list" and not equals):
         return own(body, inner[0]) if len(inner) == 1 else body.unknown(value, "syntax")
     return own(body, value)
-
-
-def own(body: Body, value: Node) -> int:
-    """A value for a variable of its own; of a reference, as one of the type that this is declared with."""
-    variable = body.variable(word(value)) if value.type == "identifier" else None
-    if variable is None or not variable.reference or variable.written is None:
-        return body.own(value)
-    dst = body.register()
-    kind = declared_type(body, *variable.written)
-    body.emit(Copy(*body.place(value), dst, body.slot(value), kind))
-    return dst
 
 
 def _referred(body: Body, node: Node, type_node: Node | None, shape: Node, value: Node | None) -> int:

@@ -65,6 +65,7 @@ def lower_body(written: Written, signature: Signature) -> Code:
     """The body of a function."""
     node = written.declared.node
     body = _body(written, node, signature.leading)
+    body.function = written.declared.name
     declarator = function_of(node.child_by_field_name("declarator"))
     function = Function(node, declarator, signature, 0, written.defaults)
     body.returns = _returns(written, declarator)

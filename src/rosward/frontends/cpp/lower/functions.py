@@ -153,6 +153,8 @@ def _parameter(
         variable.cell = body.new_cell(symbol.name)
         body.emit(StoreCell(*place, variable.cell, register))
     body.scopes[-1].names[symbol.name] = variable
+    if not reference and symbol.type.names[-1:] == ("unique_ptr",):
+        body.scopes[-1].objects.append(variable)  # what it has not given away ends with it
 
 
 def _default(body: Body, default: DefaultArgument, node: Node, register: int) -> None:
@@ -192,6 +194,8 @@ def _convert(
 
 def finish(body: Body, function: Function, name: str) -> Code:
     """The `Code` of a body that has been lowered."""
+    if not body.ends():
+        body.end_objects(function.node, body.scopes[:1])
     body.settle_cells()
     line = function.node.start_point[0] + 1
     return Code(

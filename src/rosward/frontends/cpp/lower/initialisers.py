@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
-from rosward.frontends.cpp.lower.types import declared_type, type_of
-from rosward.ir.cpp import AddressOf, Argued, Braces, Construct, Form, MakeType
+from rosward.frontends.cpp.lower.types import builtin, declared_type, type_of
+from rosward.ir.cpp import AddressOf, Argued, Braces, Construct, Convert, Deref, Form, MakeType
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -38,7 +39,16 @@ def _designated(node: Node) -> tuple[str, Node]:
 def arguments(body: Body, node: Node | None) -> tuple[Argued, ...]:
     """Those in an `argument_list`."""
     listed = node.named_children if node is not None else []
-    return tuple(body.argued(child) for child in listed if child.type != "comment")
+    return tuple(_argued(body, child) for child in listed if child.type != "comment")
+
+
+def _argued(body: Body, node: Node) -> Argued:
+    found, number = body.argued(node), type_written(body, node)
+    return found if number in _PLAIN else found._replace(number=number)
+
+
+_PLAIN: Final = frozenset({"", "int", "double"})
+"""Types of numbers that show in their values."""
 
 
 def given(body: Body, node: Node | None, *, copy: bool = False) -> Given:
@@ -91,6 +101,13 @@ def _new(body: Body, node: Node, _want: Want) -> int:
     made = construct(body, node, kind, given(body, node.child_by_field_name("arguments")))
     dst = body.register()
     body.emit(AddressOf(*body.place(node), dst, made))
+    if (
+        declarator is not None and builtin(node.child_by_field_name("type")) == "char"
+    ):  # kept as the text that they make
+        slot, first = body.register(), body.register()
+        body.emit(Deref(*body.place(node), slot, dst, slot=True))
+        body.emit(Convert(*body.place(node), first, slot, kind, "buffer"))
+        return first
     return dst
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body, Want, free_cell
 from rosward.frontends.cpp.lower.functions import Function, finish, prologue, template_of
+from rosward.frontends.cpp.lower.seen import own
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import within
 from rosward.frontends.cpp.lower.variables import Returns, Variable
@@ -54,6 +55,7 @@ def _lambda(body: Body, node: Node, _want: Want) -> int:
     shared = body.shared
     declarator = node.child_by_field_name("declarator")
     inner = Body(shared, f"{body.qualname}.<lambda>", body.depth)
+    inner.function = "operator()"
     mutable = declarator is not None and any(
         child.type == "type_qualifier" and child.text == b"mutable" for child in declarator.children
     )
@@ -215,7 +217,7 @@ def _initialised(body: Body, node: Node, found: _Captures, mutable: bool) -> str
     if node.children[0].type == "&":
         found.copied.append(_Copied(name, body.slot(right), reference=True))
     else:
-        _copied(body, node, found, name, body.own(right), "", mutable)
+        _copied(body, node, found, name, body.own(right) if right is None else own(body, right), "", mutable)
     return name
 
 

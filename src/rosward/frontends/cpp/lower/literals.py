@@ -20,7 +20,7 @@ _ESCAPES: Final[Mapping[str, str]] = {
 }  # fmt: skip
 _FLOATS: Final = frozenset({"float", "double", "long double"})
 _NO_NUMBERS: Final = frozenset(
-    {"bool", "char", "signed char", "unsigned char", "char16_t", "char32_t", "wchar_t", "void"}
+    {"bool", "char", "signed char", "unsigned char", "int8_t", "uint8_t", "char16_t", "char32_t", "wchar_t", "void"}
 )
 _DIGITS: Final = 400
 """A longer number is no number that anybody means."""

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import type_of
-from rosward.ir.core import NO_REGISTER
+from rosward.ir.core import NO_REGISTER, CharText
 from rosward.ir.cpp import Name, Part
 from rosward.records import NamedTuple
 
@@ -37,6 +37,8 @@ def name(body: Body, node: Node, want: Want) -> int:
     if node.type in {"identifier", "type_identifier", "namespace_identifier", "field_identifier"}:
         text = word(node)
         variable = body.variable(text)
+        if variable is None and text == "__func__" and body.function:
+            return body.constant(node, CharText(body.function))
         if variable is None:
             return _looked_up(body, node, (Part(text),), NO_REGISTER, False, want)
         if not variable.path:

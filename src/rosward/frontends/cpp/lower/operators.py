@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
+from rosward.frontends.cpp.lower.arithmetic import difference, receiver_of_size, type_written
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
@@ -15,6 +16,7 @@ from rosward.frontends.cpp.lower.seen import is_constant, seen_scope
 from rosward.frontends.cpp.lower.survey import operator_of, through_member, word
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
+from rosward.ir.arithmetic import common
 from rosward.ir.control import If, Raise
 from rosward.ir.core import NO_REGISTER, Binary, Compare, Move, Unary
 from rosward.ir.cpp import (
@@ -68,6 +70,7 @@ def _binary(body: Body, node: Node, want: Want) -> int:
         value = _operand(body, left, operator_of(chain[-1]), "<<", ">>")
     else:
         value = _size(body, chain.pop(), counted)
+    type_, sizes = ("", ()) if counted is not None else (type_written(body, left), receiver_of_size(body, left))
     for link in reversed(chain):
         operator = operator_of(link)
         right = link.child_by_field_name("right")
@@ -77,7 +80,13 @@ def _binary(body: Body, node: Node, want: Want) -> int:
             continue
         dst = body.register()
         kind = Compare if operator in COMPARE else Binary
+        if operator == "-":
+            type_, sizes = common(type_, type_written(body, right)), sizes or receiver_of_size(body, right)
+            body.emit(kind(*body.place(link), dst, operator, value, other))
+            value = difference(body, link, type_, dst, sizes)
+            continue
         body.emit(kind(*body.place(link), dst, operator, value, other))
+        type_, sizes = (common(type_, type_written(body, right)), sizes) if operator in "+*/%" else ("", ())
         value = dst
     return value
 

@@ -14,7 +14,7 @@ from rosward.frontends.cpp.lower.names import Written, of_parts
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, declared_type, has, type_of
 from rosward.ir.core import NO_REGISTER
-from rosward.ir.cpp import Declared
+from rosward.ir.cpp import Copy, Declared
 from rosward.ir.op import Block
 
 if TYPE_CHECKING:
@@ -135,3 +135,22 @@ def is_constant(body: Body, node: Node | None, *, through: bool = False) -> bool
         else:
             return kind == "call_expression" and word(here.child_by_field_name("function")) == "std::as_const"
     return False
+
+
+def own(body: Body, value: Node) -> int:
+    """A value for a variable of its own; of a reference, or what a pointer leads to, as one of the type that this is declared with."""
+    if value.type == "pointer_expression" and value.children[0].type == "*":
+        block, static = declared(body, value, body.place(value))
+        if static != NO_REGISTER:
+            src = body.slot(value)
+            body.ops.extend(block)
+            dst = body.register()
+            body.emit(Copy(*body.place(value), dst, src, static))
+            return dst
+    variable = body.variable(word(value)) if value.type == "identifier" else None
+    if variable is None or variable.written is None or not has(variable.written[1], REFERENCES):
+        return body.own(value)
+    dst = body.register()
+    kind = declared_type(body, *variable.written)
+    body.emit(Copy(*body.place(value), dst, body.slot(value), kind))
+    return dst

@@ -14,6 +14,7 @@ from typing import Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Tuple
+from rosward.domain.enumerated import Whole
 from rosward.domain.series import Series
 from rosward.domain.slots import Enumerated
 from rosward.domain.text import matches, parts_of
@@ -109,7 +110,7 @@ def kind_of(machine: Machine, value: Value) -> str:
     if value.__class__ is Unknown:
         return "" if value.hint in LOOSE_HINTS else value.hint
     if value.__class__ is Const:
-        return "int" if isinstance(value.value, Enumerated) else value.value.__class__.__name__
+        return "int" if isinstance(value.value, (Enumerated, Whole)) else value.value.__class__.__name__
     if value.__class__ is Ref:
         obj = machine.obj(value)
         return obj.kind if obj.cls != _TUPLE else "tuple"

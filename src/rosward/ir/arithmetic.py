@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which arithmetic types of C++ are the same, and which one has what is computed of two?"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+__all__ = ["INT", "SMALL", "UNSIGNED", "WIDE", "common", "same_type"]
+
+INT: Final = "int"
+UNSIGNED: Final = "unsigned int"
+WIDE: Final = "unsigned long"
+_SAME: Final[Mapping[str, str]] = {
+    **dict.fromkeys(("unsigned", "uint32_t"), UNSIGNED),
+    **dict.fromkeys(("size_t", "uint64_t", "unsigned long int", "unsigned long long", "uintptr_t"), WIDE),
+    **dict.fromkeys(("long int", "long long", "int64_t", "ssize_t", "ptrdiff_t"), "long"),
+    "int32_t": INT,
+    "short int": "short",
+    "int16_t": "short",
+    "uint16_t": "unsigned short",
+}
+SMALL: Final = frozenset(
+    {"bool", "char", "short", "unsigned short", "int8_t", "uint8_t", "signed char", "unsigned char", INT}
+)
+
+
+def same_type(name: str) -> str:
+    """An arithmetic type by the one of its names that stands for all."""
+    return _SAME.get(name, name)
+
+
+def common(one: str, other: str) -> str:
+    """The type of what is computed of two."""
+    types = {INT if each in SMALL else each for each in (one, other)}
+    if "" in types:
+        return WIDE if WIDE in types else ""
+    for wide in ("double", "float", WIDE, "long", UNSIGNED):
+        if wide in types:
+            return wide
+    return INT
