@@ -17,7 +17,7 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.compound import BoundMethod, External, Partial, Tuple
 from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.domain.values import TRUE, UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine import activation
 from rosward.engine.cpp.handing import is_constant, may_be_written
 from rosward.engine.cpp.linked import linked
@@ -29,7 +29,7 @@ from rosward.engine.havoc import change_each
 from rosward.engine.held import values_in
 from rosward.engine.throwing import note_sources
 from rosward.ir.program import MODEL_PREFIX
-from rosward.models.cpp.copies import write
+from rosward.models.cpp.copies import LEFT, write
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
@@ -90,6 +90,10 @@ def _anything(machine: Engine, function: Function, handed: _Handed) -> Value:
     for slot in handed.slots:
         if may_be_written(machine, read(machine, slot)) and not is_constant(machine, slot):
             write(machine, slot, machine.unknown(Cause.CALL, name), weak=True)
+            if isinstance(slot.base, Ref):
+                _stay_open(machine, slot.base)
+    for each in handed.objects:
+        _stay_open(machine, each)
     note_sources(machine)
     if symbol.type is None:
         return machine.unknown(Cause.CALL, name)
@@ -97,13 +101,18 @@ def _anything(machine: Engine, function: Function, handed: _Handed) -> Value:
     value = opaque(machine, type_, name)
     made = value.target if isinstance(value, Pointer) else value
     left = linked(machine).effort.left
-    for ref in (*handed.objects, made):
-        if isinstance(ref, Ref):
-            left.setdefault(ref, machine.place)
+    for ref in (*handed.objects, *((made,) if isinstance(made, Ref) else ())):
+        left.setdefault(ref, machine.place)
     found = [value, *_led_to(machine, symbol, type_, handed)]
     if isinstance(made, Ref) and (symbol.reference or made is not value) and _has_virtual(machine, made):
         found.append(machine.unknown(Cause.CALL, name))  # one of a class that is derived from it
     return join_all(found)
+
+
+def _stay_open(machine: Engine, ref: Ref) -> None:
+    """From now on writes only add to what something holds: the call may have made others lead to it, which write to it by ways that nobody sees."""
+    obj = machine.obj(ref)
+    machine.update(ref, obj.with_attr(LEFT, TRUE) if obj.kind == "cell" else obj.replace(many=True))
 
 
 def _has_virtual(machine: Engine, ref: Ref) -> bool:
