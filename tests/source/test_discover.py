@@ -220,12 +220,16 @@ def test_a_weak_name_alone_makes_no_launch_file_of_yaml(tmp_path: Path) -> None:
             "windows_launch.yml": "name: windows\nwindows:\n- launch: ros2 launch demo demo.launch.py\n",
             "robot_launch.yaml": "# robot\nlaunch:\n- node: {pkg: demo, exec: talker}\n",
             "flow_launch.yml": "{'launch': []}\n",
+            "marked_launch.yml": "\ufefflaunch: []\n",
+            "begun_launch.yml": "--- {launch: []}\n",
             "empty.launch.yaml": "name: empty\n",
         },
     )
     assert [file.relative for file in found.launch_files] == [
+        "begun_launch.yml",
         "empty.launch.yaml",
         "flow_launch.yml",
+        "marked_launch.yml",
         "robot_launch.yaml",
     ]
 

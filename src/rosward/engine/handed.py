@@ -42,9 +42,11 @@ def follow(machine: Engine) -> None:
         for value, place in list(machine.trace.handed.items()):
             for callback in _not_called(machine, value):
                 machine.schedule(callback, None, BY_LIBRARY, place)
+        handed = len(machine.trace.handed)
         for callback in machine.language.implicit_calls(machine):
             machine.schedule(callback, None, BY_PYTHON, _place(callback))
-        if len(machine.schedule_book.entries) + len(machine.schedule_book.named) == before:
+        after = len(machine.schedule_book.entries) + len(machine.schedule_book.named)
+        if after == before and len(machine.trace.handed) == handed:
             return
         machine.spin()
     machine.report("RW201", "ever more objects are passed to libraries; what they do with the last ones may be missing")

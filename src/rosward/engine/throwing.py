@@ -39,6 +39,11 @@ def note_call(machine: Engine) -> None:
         machine.catchers[-1].importing = True
 
 
+def note_sources(machine: Engine) -> None:
+    """Code of the sources runs here that is not followed: what it raises may be of any class."""
+    note(machine, ANYTHING)
+
+
 def note_import(machine: Engine) -> None:
     """An ImportError may be raised here: of a module that is not among the sources."""
     if machine.catchers:

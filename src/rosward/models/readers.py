@@ -40,10 +40,11 @@ _FOREIGN: Final = _READ | {
 
 
 _IN_CPP: Final = re.compile(
-    r"(?:Q[A-Z]\w*|Ui)(?:\.|$)"
+    r"(?:Q(?!\w*(?:Node|Ros|ROS))[A-Z]\w*|Ui)(?:\.|$)"
     r"|BT\.\w+\.(?:name|getInput|setOutput|config|status|isHalted|UID|fullPath|registrationName|emitWakeUpSignal)$"
 )
-"""Classes of Qt, what its tools make of the description of a window, and what a node of a behaviour tree is asked: its base knows nothing of ROS."""
+"""Classes of Qt, what its tools make of the description of a window, and what a node of a behaviour tree is asked: its base knows nothing of ROS.
+`QNode` is what many packages call a node of theirs that has a window."""
 
 
 def creates_nothing(callee: Value) -> bool:

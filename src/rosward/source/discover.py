@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 _LEVELS_ABOVE: Final = 12
 _OTHERS_TOO: Final = ("_launch.yaml", "_launch.yml")
-_LAUNCH_KEY: Final = re.compile(rb"^[\s{?]*[\"']?launch[\"']?\s*:", re.MULTILINE)
+_LAUNCH_KEY: Final = re.compile(rb"^(?:\xef\xbb\xbf)?(?:---|!!map)?[\s{?]*[\"']?launch[\"']?\s*:", re.MULTILINE)
 
 
 def discover(

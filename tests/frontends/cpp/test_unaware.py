@@ -30,6 +30,7 @@ def _is_unaware(tools: str, **others: str) -> bool:
         'extern "C" { int c_function(int); }\nstruct Point { double x; double y; };',
         "template<typename T> T twice(T value) { return value + value; }",
         "enum class Mode { A, B }; typedef int Number; using Name = int;",
+        'static const char * const NAME = "a"; const std::vector<std::string> NAMES = {"a"}; static constexpr const char * B = "b";',
     ],
 )
 def test_it_knows_nothing(tools: str) -> None:
@@ -59,6 +60,12 @@ def test_it_knows_nothing(tools: str) -> None:
         "template<typename T> class Box { static T count; };",
         "extern int elsewhere;",
         "namespace a { namespace b { std::string name; } }",
+        "inline auto & next() { static std::map<const char *, int> kept; return kept; }",
+        "inline auto & next() { static const auto kept = std::make_unique<int>(1); return *kept; }",
+        "struct Box { int kept = 1; }; inline Box & next() { static Box * const box = new Box(); return *box; }",
+        "struct Box { mutable int kept = 1; }; const Box box;",
+        "const std::shared_ptr<int> kept = std::make_shared<int>(1);",
+        'static const char * kept = "a";',
     ],
 )
 def test_it_may_know_something(tools: str) -> None:
@@ -70,6 +77,16 @@ def test_what_is_defined_elsewhere_counts() -> None:
     assert _is_unaware(logger)
     assert not _is_unaware(logger, extra='#include "tools.hpp"\n#include "rclcpp/rclcpp.hpp"\nvoid Logger::log(int) {}')
     assert not _is_unaware("void say(int);", extra='#include "tools.hpp"\n#include "ros.hpp"\nvoid say(int) {}')
+
+
+def test_operators_count() -> None:
+    pair = "struct Pair { int a; }; template<typename T> bool same(T a, T b) { return a == b; }"
+    assert _is_unaware(
+        pair, extra='#include "ros.hpp"\nstruct Other {};\nbool operator==(Other a, Other b) { return true; }'
+    )
+    assert not _is_unaware(
+        pair, extra='#include "tools.hpp"\n#include "ros.hpp"\nbool operator==(Pair a, Pair b) { return announce(1); }'
+    )
 
 
 def test_what_includes_it_counts() -> None:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
-from rosward.domain.slots import TypeOf
+from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
@@ -83,6 +83,12 @@ def is_type(machine: Engine, value: Value) -> bool:
     return ("." not in name and isinstance(value, TypeOf)) or machine.library.native(f"{name}.new") is not None
 
 
+def _is_node(machine: Engine, value: Value) -> bool:
+    """Whether a value is a node, or a pointer to one."""
+    found = [o.target if isinstance(o, Pointer) else o for o in options(read(machine, value))]
+    return any(isinstance(o, Ref) and machine.is_node(o.address) for o in found)
+
+
 def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Value:
     """A new value of a type."""
     if isinstance(type_, Class):
@@ -100,6 +106,8 @@ def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Va
         if len(args) == 1:
             args = (as_wanted(machine, args[0], type_),)
         return run_native(machine, native, f"{name}.new", (type_, *args), {"form": Const(form)})
+    if isinstance(type_, External) and "." not in name and any(_is_node(machine, arg) for arg in args):
+        handing.give_to(machine, args, type_)  # a class of another library, no number
     if pointee(type_) is not None or shape_of(type_) is not Shape.OTHER or "." not in name:
         if not args or (len(args) == 1 and args[0] == Tuple(())):
             return default_value(machine, type_) if form != "default" or pointee(type_) is None else NONE

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.compound import BoundMethod, External, Tuple
 from rosward.domain.series import Series
 from rosward.domain.values import Class, Ref, Value
-from rosward.engine.cpp import access, calls, methods, narrowing, operators
+from rosward.engine.cpp import access, calls, methods, narrowing, operators, unaware
 from rosward.engine.cpp.handing import is_open, own_functions
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.packs import body_of
@@ -86,7 +86,8 @@ def _load_module(machine: Engine, name: str, _frame: Frame | None, _level: int) 
     return named(machine, name.replace(".", "::"))
 
 
-def _nothing_implicit(_machine: Engine) -> tuple[Value, ...]:
+def _implicit_calls(machine: Engine) -> tuple[Value, ...]:
+    unaware.follow_left(machine)
     return ()
 
 
@@ -119,7 +120,7 @@ CPP: Final = replace(
     call_method=_call_method,
     is_open=is_open,
     own_methods=_own_methods,
-    implicit_calls=_nothing_implicit,
+    implicit_calls=_implicit_calls,
     iterate=_iterate,
     series=_series,
     is_stepped=_is_stepped,

@@ -16,6 +16,7 @@ from rosward.ir.symbols import Scope, Symbol, Symbols
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
+    from rosward.source.location import Place
 
 __all__ = ["INSTANCES", "Info", "Linked", "linked"]
 
@@ -90,15 +91,16 @@ class Info:
 class Unaware:
     """What was spent in functions that know nothing of ROS (`unaware.py`): `before` by calls that are over, `since` one that is running began.
 
-    `large`: the code of those of which a call took many steps.
+    `large`: the code of those of which a call took many steps. `left`: what was handed to calls that were not followed, and came of them; where.
     """
 
-    __slots__ = ("before", "large", "since")
+    __slots__ = ("before", "large", "left", "since")
 
     def __init__(self) -> None:
         self.before = 0
         self.since: int | None = None
         self.large: set[str] = set()
+        self.left: dict[Ref, Place] = {}
 
     def spent(self, steps: int) -> int:
         """How much that is, where the process has taken so many steps."""

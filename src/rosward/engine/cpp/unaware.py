@@ -14,21 +14,22 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.compound import External, Tuple
+from rosward.domain.compound import BoundMethod, External, Partial, Tuple
 from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.domain.values import TRUE, UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine import activation
 from rosward.engine.cpp.handing import is_constant, may_be_written
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.opaque import opaque
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import pointee
+from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.havoc import change_each
 from rosward.engine.held import values_in
-from rosward.engine.throwing import note_call
+from rosward.engine.throwing import note_sources
 from rosward.ir.program import MODEL_PREFIX
-from rosward.models.cpp.copies import write
+from rosward.models.cpp.copies import LEFT, write
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ def run(machine: Engine, function: Function, registers: list[Value]) -> Value:
     effort, key = program.effort, function.code.key
     if key in effort.large and effort.spent(begun) >= most and _is_ordinary(machine, function):
         handed = _Handed(machine)
-        if handed.is_data([*registers, *_types(machine, function)]):
+        if handed.is_data([*registers, *_types(machine, function.module)]):
             return _anything(machine, function, handed)
     outermost = effort.since is None
     if outermost:
@@ -66,10 +67,12 @@ def run(machine: Engine, function: Function, registers: list[Value]) -> Value:
             effort.before, effort.since = effort.spent(precision.steps), None
 
 
-def _types(machine: Engine, function: Function) -> tuple[Value, ...]:
-    """What the parameters of the class template stand for that a function is a member of."""
-    info = linked(machine).info(function.module)
-    return info.types if info is not None else ()
+def _types(machine: Engine, scope: Value) -> Iterator[Value]:
+    """What the parameters of a class template stand for, and those of the templates that it is written in."""
+    info = linked(machine).info(scope)
+    while info is not None:
+        yield from info.types
+        info = linked(machine).info(info.outer)
 
 
 def _is_ordinary(machine: Engine, function: Function) -> bool:
@@ -87,11 +90,56 @@ def _anything(machine: Engine, function: Function, handed: _Handed) -> Value:
     for slot in handed.slots:
         if may_be_written(machine, read(machine, slot)) and not is_constant(machine, slot):
             write(machine, slot, machine.unknown(Cause.CALL, name), weak=True)
-    note_call(machine)
+            if isinstance(slot.base, Ref):
+                _stay_open(machine, slot.base)
+    for each in handed.objects:
+        _stay_open(machine, each)
+    note_sources(machine)
     if symbol.type is None:
         return machine.unknown(Cause.CALL, name)
     type_ = evaluate(machine, symbol.type, function.module)
-    return join_all((opaque(machine, type_, name), *_led_to(machine, symbol, type_, handed)))
+    value = opaque(machine, type_, name)
+    made = value.target if isinstance(value, Pointer) else value
+    left = linked(machine).effort.left
+    for ref in (*handed.objects, *((made,) if isinstance(made, Ref) else ())):
+        left.setdefault(ref, machine.place)
+    found = [value, *_led_to(machine, symbol, type_, handed)]
+    if isinstance(made, Ref) and (symbol.reference or made is not value) and _has_virtual(machine, made):
+        found.append(machine.unknown(Cause.CALL, name))  # one of a class that is derived from it
+    return join_all(found)
+
+
+def _stay_open(machine: Engine, ref: Ref) -> None:
+    """From now on writes only add to what something holds: the call may have made others lead to it, which write to it by ways that nobody sees."""
+    obj = machine.obj(ref)
+    machine.update(ref, obj.with_attr(LEFT, TRUE) if obj.kind == "cell" else obj.replace(many=True))
+
+
+def _has_virtual(machine: Engine, ref: Ref) -> bool:
+    """Whether an object is of a class that others are derived from to be used as it."""
+    cls = machine.obj(ref).cls
+    infos = [linked(machine).info(base) for base in cls.mro] if isinstance(cls, Class) else []
+    return any(member.virtual for info in infos if info is not None for member in info.symbol.members)
+
+
+def follow_left(machine: Engine) -> None:
+    """Run the functions that a program put into what was left to calls that were not followed, and that nothing else calls.
+
+    Such a call may have made one object lead to another, so that the program comes to them by ways that nobody sees. Objects that are no
+    data count as handed to code that is not known.
+    """
+    effort, entered = linked(machine).effort, machine.trace.entered
+    for first, place in list(effort.left.items()):
+        reached = _Handed(machine)
+        for value in reached.others(first):
+            if isinstance(value, Ref):
+                machine.trace.handed.setdefault(value, place)
+            else:
+                inner = value
+                while isinstance(inner, (Partial, BoundMethod)):
+                    inner = inner.function
+                if not isinstance(inner, Function) or inner.code.key not in entered:
+                    machine.schedule(value, None, BY_LIBRARY, place)
 
 
 def _led_to(machine: Engine, symbol: Symbol, type_: Value, handed: _Handed) -> Iterator[Value]:
@@ -125,12 +173,23 @@ class _Handed:
                 waiting += inner
         return True
 
+    def others(self, first: Value) -> Iterator[Value]:
+        """The functions that something leads to, and the objects that may know of ROS."""
+        waiting = [first]
+        while waiting:
+            for option in options(waiting.pop()):
+                inner = self._inner(option)
+                if inner is not None:
+                    waiting += inner
+                elif isinstance(option, (Function, BoundMethod, Partial, Ref)):
+                    yield option
+
     def _inner(self, value: Value) -> Iterable[Value] | None:
         """What a value leads to; None where it is not data."""
         if value is UNBOUND or isinstance(value, _PLAIN):
             return ()
         if isinstance(value, (Class, External)):
-            return () if self._is_unaware(value) else None
+            return self._inner_of_class(value)
         if isinstance(value, TypeOf):
             return value.arguments
         if isinstance(value, Tuple):
@@ -147,7 +206,8 @@ class _Handed:
         obj = self._machine.obj(value)
         if obj.kind == "generator" or (obj.kind == "instance" and not self._is_unaware(obj.cls)):
             return None
-        return values_in(obj)
+        types = obj.cls.arguments if isinstance(obj.cls, TypeOf) else self._inner_of_class(obj.cls) or ()
+        return (*values_in(obj), *types)
 
     def _inner_of_slot(self, slot: Slot) -> Iterable[Value]:
         if slot.kind in ("item", "entry", "reverse"):  # from there it may come to the others
@@ -156,6 +216,12 @@ class _Handed:
             return ()
         self.slots[slot] = None
         return (read(self._machine, slot),)
+
+    def _inner_of_class(self, cls: Value) -> Iterable[Value] | None:
+        """What the parameters of the templates stand for that a class is made of."""
+        if not self._is_unaware(cls):
+            return None
+        return [type_ for base in cls.mro for type_ in _types(self._machine, base)] if isinstance(cls, Class) else ()
 
     def _is_unaware(self, cls: Value) -> bool:
         """Whether an object of a class knows nothing of ROS."""

@@ -16,6 +16,7 @@ decltype(f(x), void())                   decltype(      void())
 x.~Tree<Node>();                         x.~Tree      ();
 delete [] (v);                           delete []  v ;
 v(i) = 0;                                v(i) =+0;
+void (*table[])() = {f, g};              void (*table[])()   {f, g};
 using Ts::operator()...;                 using Ts::operator()   ;
 using std::sin, std::cos;                using std::sin;using  std::cos;
 template class Tree<Node>;               nothing: it runs nothing
@@ -59,6 +60,7 @@ _DELETE: Final = re.compile(r"(\bdelete\s*\[\s*\]\s*)\(([^();]*)\)(?=\s*;)")
 _ZERO: Final = re.compile(
     r"(?<=[;{})])(\s*(?:else\s+)?\w+\s*\(\s*[\w.]+(?:\s*[-+*/,]\s*[\w.]+){0,20}\s*\)\s*=)[ \t](?=\s*0\s*;)"
 )
+_TABLE: Final = re.compile(r"(\(\s*\*\s*(?:const\s+)?\w+\s*(?:\[[^\[\]{};]{0,100}\]\s*){1,3}\)\s*\(\s*\)\s*)=(?=\s*\{)")
 _MOST: Final = 1_000
 """So long is what `decltype` names, at most."""
 
@@ -99,6 +101,7 @@ def suited(text: str) -> str:
         text = _DELETE.sub(r"\1 \2 ", text)
     if "0" in text:
         text = _ZERO.sub(r"\1+", text)
+    text = _TABLE.sub(r"\1 ", text)
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
     if "slots" in text:

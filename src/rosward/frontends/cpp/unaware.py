@@ -11,7 +11,7 @@ Where that is in doubt a file is none of these.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 from rosward.frontends.cpp.model_headers import PREFIX, modelled
@@ -29,6 +29,10 @@ _LIBRARIES: Final = re.compile(
 """Those of libraries that have nothing to do with ROS."""
 _WORD: Final = re.compile(r"[A-Za-z_]\w*")
 _LASTING: Final = re.compile(rb"\b(?:static|thread_local|extern)\b")
+_LEADING: Final = re.compile(r"\*|\b(?:auto|mutable|any|reference_wrapper|Ptr|SharedPtr|\w*_ptr|\w*function)\b")
+"""What is of such a type, or has something of it, may lead to what changes though it is a constant."""
+_ARGUMENTS: Final = re.compile(r"<[^<>]*>")
+_ATTRIBUTE: Final = re.compile(r"\[\[[^\[\]]*\]\]")
 _CREATING: Final = frozenset({"publish", "advertise", "subscribe", "advertiseService", "NodeHandle"})
 _NAMED: Final = frozenset({SymbolKind.CLASS, SymbolKind.FUNCTION, SymbolKind.VARIABLE})
 
@@ -36,14 +40,23 @@ _NAMED: Final = frozenset({SymbolKind.CLASS, SymbolKind.FUNCTION, SymbolKind.VAR
 def unaware(files: Sequence[FileSymbols]) -> frozenset[str]:
     """Those of a program, by the names that places have for them."""
     own = [file for file in files if not file.parsed.prepared.file.startswith(PREFIX)]
-    words = {file: found for file in own if (found := _words(file)) is not None and not _keeps_something(file)}
+    leading = {name for file in own for name, text in _classes(file) if _LEADING.search(text)}
+    words = {f: found for f in own if (found := _words(f)) is not None and not _keeps_something(f, leading)}
+    classes = {name for file in words for name, _ in _classes(file)}
     left, aware = list(words), [file for file in own if file not in words]
     while aware and left:  # what these declare the others may call
-        names = {name for file in aware for name in _names(file)}
+        names = {name for file in aware for name in (*_names(file), *classes.intersection(_operands(file)))}
         paths = {file.parsed.prepared.path for file in aware}
         aware = [f for f in left if not words[f].isdisjoint(names) or not paths.isdisjoint(f.parsed.prepared.includes)]
         left = [file for file in left if file not in set(aware)]
     return frozenset(file.parsed.prepared.file for file in left)
+
+
+def _classes(file: FileSymbols) -> Iterator[tuple[str, str]]:
+    """The classes that a file declares, with what is written there."""
+    for each in file.outline.declared:
+        if each.kind is SymbolKind.CLASS:
+            yield each.name, (each.node.text or b"").decode("utf-8", "replace")
 
 
 def _words(file: FileSymbols) -> set[str] | None:
@@ -62,14 +75,26 @@ def _names(file: FileSymbols) -> set[str]:
     found = {each.name for each in file.outline.declared if each.kind in _NAMED and not each.before}
     for scope, names in file.elsewhere.items():
         for name, symbols in names.items():
-            found.add(scope[-1] if scope and any(map(file.in_class, symbols)) else name)
+            of_class = scope and any(map(file.in_class, symbols))
+            if not of_class or any(symbol.kind is SymbolKind.CLASS for symbol in symbols):
+                found.add(name)
+            if of_class:
+                found.add(scope[-1])
     return found
 
 
-def _keeps_something(file: FileSymbols) -> bool:
+def _operands(file: FileSymbols) -> set[str]:
+    """What its operators outside of classes are of: they are called where nobody says their names."""
+    texts = [each.whole.text or b"" for each in file.outline.declared if each.name.startswith("operator")]
+    return {word for text in texts for word in _WORD.findall(text.partition(b"{")[0].decode("utf-8", "replace"))}
+
+
+def _keeps_something(file: FileSymbols, leading: set[str]) -> bool:
     """Whether a variable of it outlives a call."""
-    if any(not symbol.constant for symbol in file.variables):
-        return True
+    for symbol in file.variables:
+        whole = (symbol.declared.whole.text or b"").decode("utf-8", "replace")
+        if not symbol.constant or not _is_constant(whole, leading):
+            return True
     text = file.parsed.prepared.text.encode("utf-8", "replace")
     root = file.parsed.tree.root_node
     for match in _LASTING.finditer(text):
@@ -82,8 +107,22 @@ def _keeps_something(file: FileSymbols) -> bool:
             continue
         parent = node.parent
         local = parent is not None and parent.type == "compound_statement"
-        words = set(re.findall(rb"\w+", (node.text or b"").partition(b"=")[0]))
         declares_function = not local and any("function_declarator" in each.type for each in node.children)
-        if not declares_function and words.isdisjoint({b"const", b"constexpr"}):
+        if not declares_function and not _is_constant((node.text or b"").decode("utf-8", "replace"), leading):
             return True
     return False
+
+
+def _is_constant(declaration: str, leading: set[str]) -> bool:
+    """Whether a variable never changes, nor what it leads to: `const char * const NAME`, not `const char * name` or `Box * const box`.
+
+    `leading`: classes of which constants may lead to something else.
+    """
+    written = re.split(r"[={(\[]", _ATTRIBUTE.sub("", declaration), maxsplit=1)[0]
+    if re.search(r"\bconstexpr\b", written):
+        return True
+    if _LEADING.search(written.replace("*", "")) or not leading.isdisjoint(_WORD.findall(written)):
+        return False
+    while (shorter := _ARGUMENTS.sub("", written)) != written:
+        written = shorter
+    return all(re.search(r"\bconst\b", part) for part in written.split("*"))

@@ -52,6 +52,8 @@ UNION: Final = "<union>"
 """The attribute of a class with the names of its fields that share their storage, as those of a union do: a tuple."""
 _VALUE: Final = "value"
 _DEEPEST: Final = 12
+LEFT: Final = "left"
+"""Attribute of a cell: others may lead to it, by ways that nobody sees, so that writes only add."""
 _APART: Final = 4
 """So many alternatives of an object are copied one by one; those of what an object holds become one."""
 _COPIED: Final = ("instance", "list", "set", "dict")
@@ -77,6 +79,7 @@ def _write(machine: Machine, slot: Slot, value: Value, *, weak: bool) -> None:
         _write_character(machine, slot, value, weak=weak)
     elif kind == "cell":
         obj = machine.obj(base)
+        weak = weak or LEFT in obj.attrs
         machine.update(base, obj.with_attr(_VALUE, join(obj.attrs.get(_VALUE, UNBOUND), value) if weak else value))
     elif kind == "field" and isinstance(key, str):
         _write_field(machine, base, key, value, weak=weak)
