@@ -100,6 +100,10 @@ class Origin(NamedTuple):
     given: bool = False
 
 
+COMPARED: Final = "comparison"
+"""The kind of origin that says of a value that it is what a test found, whatever somebody gives the source of that name."""
+
+
 def derived(reasons: tuple[Reason, ...]) -> tuple[Reason, ...]:
     """The reasons of what is computed from a value: a piece of the path of a folder, or another text made of it, is not that folder any more."""
     for reason in reasons:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Descriptor, Tuple
 from rosward.domain.text import origins_of
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.unknown import COMPARED, Cause, Origin, Reason
 from rosward.domain.values import Const, Function, Ref, Unknown, Value
 from rosward.ir import ops
 from rosward.models.python.operators.operators import is_default
@@ -57,6 +57,7 @@ def _one(machine: Engine, value: Value, test: str, other: Value | None, sense: b
         return _another(machine, value) if isinstance(value, Const) else value
     kind = value.value.__class__ if isinstance(value, Const) else str
     source = origins_of(value)
+    source |= {Origin(COMPARED, o.name, settled=True) for o in source if o.kind == "parameter" and not o.settled}
     same = [Const(n.value, n.origins | source) for n in named if n.value.__class__ is kind]
     return join_all(same) if len(same) == len(named) else value
 

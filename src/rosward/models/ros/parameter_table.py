@@ -20,7 +20,7 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of, readable
-from rosward.domain.unknown import Cause, Origin, Reason
+from rosward.domain.unknown import COMPARED, Cause, Origin, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
@@ -221,7 +221,9 @@ def _is_excluded(value: Value | None) -> bool:
 
 def _open_parameter(value: Value) -> str | None:
     """The one parameter of whose default a known value was computed, where nothing else decides it."""
-    open_ = [o for o in origins_of(value) if not o.settled] if isinstance(value, Const) else []
+    if not isinstance(value, Const) or any(o.kind == COMPARED for o in value.origins):
+        return None
+    open_ = [o for o in value.origins if not o.settled]
     return open_[0].name if len(open_) == 1 and open_[0].kind == "parameter" else None
 
 
