@@ -22,7 +22,8 @@ from rosward.domain.values import EMPTY, NONE, UNBOUND, Class, Const, Ref, Unkno
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert, default_value, new_container
 from rosward.models.cpp.copies import copied, several, write
-from rosward.models.cpp.owners import owning
+from rosward.models.cpp.iterators import as_iterator
+from rosward.models.cpp.owners import give_away, owning
 from rosward.models.cpp.ranges import place, places
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import Shape, name_of, shape_of
@@ -189,6 +190,15 @@ def _move_all(call: NativeCall) -> Value:
     return behind
 
 
+def _moving(call: NativeCall) -> Value:
+    """std::make_move_iterator(i): who gets the elements owns what they did; whether that ends is not followed then."""
+    held = read(call.machine, call.args[0])
+    slot = as_iterator(held)
+    if slot is not None and isinstance(slot.base, Ref):
+        give_away(call.machine, slot.base)
+    return held
+
+
 def _move(call: NativeCall) -> Value:
     """std::move(x): of a pointer its value; where it stood there may be nothing any more."""
     if len(call.args) > 2:
@@ -264,6 +274,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     },
     **{f"std.{name}": _itself for name in ("forward", "as_const", "launder")},
     **dict.fromkeys(("std.move", "std.move_if_noexcept"), _move),
+    "std.make_move_iterator": _moving,
     "std.addressof": _address,
     "std.exchange": _exchange,
     "std.swap": _swap_values,
