@@ -77,8 +77,9 @@ def _wrapped(machine: Engine, held: Value, type_: Value, kind: str) -> Value:
         type_ = _SIZE
 
     def one(value: Value) -> Value:
-        is_number = value.__class__ is Const and type(value.value) is int
-        leaves = is_number and (value.value < 0 or (value.value >= _BEYOND and dotted(type_) == UNSIGNED))
+        if not isinstance(value, Const) or type(value.value) is not int:
+            return value
+        leaves = value.value < 0 or (value.value >= _BEYOND and dotted(type_) == UNSIGNED)
         return convert_plain(machine, value, type_, "init") if leaves else value
 
     return lift(one, held)
