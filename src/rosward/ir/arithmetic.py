@@ -6,15 +6,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-__all__ = ["INT", "SMALL", "UNSIGNED", "WIDE", "common", "same_type"]
+__all__ = ["INT", "LONG", "SMALL", "UNSIGNED", "WIDE", "common", "same_type"]
 
 INT: Final = "int"
+LONG: Final = "long"
 UNSIGNED: Final = "unsigned int"
 WIDE: Final = "unsigned long"
 _SAME: Final[Mapping[str, str]] = {
     **dict.fromkeys(("unsigned", "uint32_t"), UNSIGNED),
     **dict.fromkeys(("size_t", "uint64_t", "unsigned long int", "unsigned long long", "uintptr_t"), WIDE),
-    **dict.fromkeys(("long int", "long long", "int64_t", "ssize_t", "ptrdiff_t"), "long"),
+    **dict.fromkeys(("long int", "long long", "int64_t", "ssize_t", "ptrdiff_t"), LONG),
     "int32_t": INT,
     "short int": "short",
     "int16_t": "short",
@@ -35,7 +36,7 @@ def common(one: str, other: str) -> str:
     types = {INT if each in SMALL else each for each in (one, other)}
     if "" in types:
         return WIDE if WIDE in types else ""
-    for wide in ("double", "float", WIDE, "long", UNSIGNED):
+    for wide in ("double", "float", WIDE, LONG, UNSIGNED):
         if wide in types:
             return wide
     return INT

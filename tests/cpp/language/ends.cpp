@@ -146,6 +146,33 @@ static void run() {
 }
 }  // namespace ends_19
 
+namespace ends_20 {
+struct S {std::string * o; std::string n; S(std::string * x, std::string y) : o(x), n(y) {} ~S() {*o += n;}};
+static size_t length(const std::unique_ptr<S> & p) {return p->n.size();}
+static size_t moved(std::unique_ptr<S> && p) {return p->n.size();}
+static void run() {
+  std::string t; auto p = std::make_unique<S>(&t, "a"); auto f = [](const std::unique_ptr<S> & q) {return q->n;};
+  length(p); f(p); moved(std::move(p)); show(std::string("ends20_") + ("n" + t));
+}
+}  // namespace ends_20
+
+namespace ends_21 {
+struct S {std::string * o; std::string n; S(std::string * x, std::string y) : o(x), n(y) {} ~S() {*o += n;}};
+static void run() {
+  std::string t; std::vector<std::unique_ptr<S>> v, w, x; v.push_back(std::make_unique<S>(&t, "a")); v.push_back(std::make_unique<S>(&t, "b"));
+  std::move(v.begin(), v.end(), std::back_inserter(w)); v.clear(); t += "1";
+  x.insert(x.end(), std::make_move_iterator(w.begin()), std::make_move_iterator(w.end())); w.clear(); t += "2"; show(std::string("ends21_") + (t + x[0]->n));
+}
+}  // namespace ends_21
+
+namespace ends_22 {
+struct S {std::string * o; std::string n; S(std::string * x, std::string y) : o(x), n(y) {} ~S() {*o += n;}};
+struct Keep {void operator()(S *) const {}};
+static void run() {
+  std::string t; S s(&t, "a"); {std::unique_ptr<S, Keep> p(&s); p->n += "b";} show(std::string("ends22_") + ("n" + t));
+}
+}  // namespace ends_22
+
 static void run()
 {
   ends_0::run();
@@ -168,4 +195,7 @@ static void run()
   ends_17::run();
   ends_18::run();
   ends_19::run();
+  ends_20::run();
+  ends_21::run();
+  ends_22::run();
 }

@@ -107,6 +107,23 @@ static void run() {
 }
 }  // namespace numbers_15
 
+namespace numbers_16 {
+struct Last {int at; long far; explicit Last(const std::vector<int> & v) : at(v.size() - 3), far(v.size() - 4) {} int of(unsigned n) {return n - 5;}};
+static void into(unsigned n, int & out) {out = n - 6; out += n - 7;}
+static void run() {
+  std::vector<int> v{1}, kept; unsigned u = 1; Last l(v); int a = u - 2, b = 0, c = 0; int & r = c; r = u - 9; into(u, b); kept.push_back(u - 4); std::map<std::string, int> m; m["k"] = u - 8;
+  auto add = [&] {a += u - 3;}; add(); int sum = static_cast<int>(u - 3) + l.at + l.of(u) + a + b + c + kept[0] + m["k"]; num("numbers16_", sum); num("numbers16_", l.far); num("numbers16_", std::max<int>(0, v.size() - 5) + std::clamp<int>(v.size() - 2, 0, 3));
+}
+}  // namespace numbers_16
+
+namespace numbers_17 {
+template<typename T> static std::string text(T n) {T m = n; return std::to_string(m);} template<typename T> static T twice(T n) {return n * 2;}
+static void run() {
+  unsigned a = 2, b = 5, c = 10; show(std::string("numbers17_") + (std::to_string(a - b + c) + "_" + std::to_string(c + (a - b)) + "_" + std::to_string((a - b) * 2 % 16)));
+  show(std::string("numbers17_") + (text(4294967295u) + "_" + text(int64_t{1} << 40) + "_" + std::to_string(twice(3000000000ul)) + "_" + text(a - b)));
+}
+}  // namespace numbers_17
+
 static void run()
 {
   numbers_0::run();
@@ -125,4 +142,6 @@ static void run()
   numbers_13::run();
   numbers_14::run();
   numbers_15::run();
+  numbers_16::run();
+  numbers_17::run();
 }

@@ -20,6 +20,7 @@ from rosward.engine.cpp.converting import buffer, by_operator, cast, derives, en
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.types import dotted, is_message, pointee
+from rosward.ir.arithmetic import UNSIGNED
 from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.exceptions import may_raise, raises
@@ -64,18 +65,22 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
 
 
 _SIZE: Final = TypeOf("size_t", ())
+_BEYOND: Final = 2**32
+"""What a number of type `unsigned int` does not reach."""
 
 
 def _wrapped(machine: Engine, held: Value, type_: Value, kind: str) -> Value:
-    """A whole number below zero as a number of an unsigned type; a class of the program may count in another one."""
+    """A whole number that an unsigned type does not hold as one of that type; a class of the program may count in another one."""
     if kind == "size":
         if any(isinstance(o, Ref) and isinstance(machine.obj(o).cls, Class) for o in options(read(machine, type_))):
             return held
         type_ = _SIZE
 
     def one(value: Value) -> Value:
-        is_below = value.__class__ is Const and type(value.value) is int and value.value < 0
-        return convert_plain(machine, value, type_, "init") if is_below else value
+        if not isinstance(value, Const) or type(value.value) is not int:
+            return value
+        leaves = value.value < 0 or (value.value >= _BEYOND and dotted(type_) == UNSIGNED)
+        return convert_plain(machine, value, type_, "init") if leaves else value
 
     return lift(one, held)
 

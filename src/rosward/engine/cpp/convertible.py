@@ -9,6 +9,7 @@ from rosward.domain.values import Class, ModuleValue, Value
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.types import dotted, pointee
+from rosward.ir.arithmetic import INT, LONG
 from rosward.ir.symbols import Symbol, SymbolKind
 from rosward.models.cpp.number_conversions import OCTETS
 
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 __all__ = ["NUMBERS", "TEXTS", "converts", "is_convertible"]
 
-NUMBERS: Final = frozenset({"int", "bool", "double", *OCTETS.values()})
+NUMBERS: Final = frozenset({INT, LONG, "bool", "double", *OCTETS.values()})
 TEXTS: Final = frozenset({"std.string", "std.string_view", "string", "std.filesystem.path"})
 
 

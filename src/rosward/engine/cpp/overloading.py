@@ -23,7 +23,7 @@ from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import STRING, dotted, is_pointer_pattern, pointee, type_of
-from rosward.ir.arithmetic import SMALL, same_type
+from rosward.ir.arithmetic import INT, LONG, SMALL, same_type
 from rosward.ir.symbols import ParameterSymbol, Signature
 from rosward.models.cpp.number_conversions import OCTETS
 from rosward.models.cpp.slots import read
@@ -321,7 +321,7 @@ def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value
                 _NEAR if name == "int" else _TEMPLATE if _is_number(name) else _NEVER if name in TEXTS else _CONVERTED
             )
         integer = bool(words & _INTEGERS) or name.endswith("_t")
-        if integer and (kind == "int" or (kind == "bool" and name == "int")):
+        if integer and (kind in (INT, LONG) or (kind == "bool" and name == "int")):
             return _NEAR
         if integer or words & _FLOATS or name == "bool":
             return _TEMPLATE

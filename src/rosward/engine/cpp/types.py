@@ -16,6 +16,7 @@ from rosward.domain.slots import Enumerated, Overloads, Pointer, Slot, TypeOf, i
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine.cpp.linked import linked
+from rosward.ir.arithmetic import LONG
 from rosward.ir.symbols import TypePattern
 from rosward.models.cpp.slots import read
 from rosward.models.ros.interfaces import message_name
@@ -52,6 +53,7 @@ _OF_PLAIN: Final[dict[type, Value]] = {
     str: STRING,
     type(None): TypeOf("nullptr", ()),
 }
+_LONG: Final = TypeOf(LONG, ())
 _CHARACTERS: Final = TypeOf("pointer", (TypeOf("char", ()),))
 _OF_HINT: Final[dict[str, Value]] = {
     "str": STRING, "int": TypeOf("int", ()), "float": TypeOf("double", ()), "bool": TypeOf("bool", ()),
@@ -93,6 +95,8 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
         found = {
             type_of(machine, o, depth + 1) for o in options(value) if not (isinstance(o, Const) and o.value is None)
         }
+        if _LONG in found:
+            found.discard(_OF_PLAIN[int])
         return found.pop() if len(found) == 1 else machine.unknown(Cause.CALL, "type of one of several values")
     if isinstance(value, Const):
         if isinstance(value.value, Enumerated):
@@ -101,6 +105,8 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
             return _CHARACTERS
         if isinstance(value.value, Whole):
             return TypeOf(value.value.named, ())
+        if value.value.__class__ is int and 2**31 <= value.value < 2**32:
+            return _LONG  # an int cannot be as great
         return _OF_PLAIN.get(value.value.__class__, STRING)
     if isinstance(value, Text):
         return STRING

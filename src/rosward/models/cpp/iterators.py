@@ -387,5 +387,4 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "std.prev": _prev,
     "std.advance": _advance,
     "std.distance": _distance,
-    "std.make_move_iterator": lambda call: read(call.machine, call.args[0]),
 }

@@ -22,7 +22,9 @@ from rosward.domain.values import EMPTY, NONE, UNBOUND, Class, Const, Ref, Unkno
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert, default_value, new_container
 from rosward.models.cpp.copies import copied, several, write
-from rosward.models.cpp.owners import owning
+from rosward.models.cpp.iterators import as_iterator
+from rosward.models.cpp.owners import give_away, owning
+from rosward.models.cpp.ranges import place, places
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import Shape, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
@@ -87,7 +89,9 @@ def _make_array(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Valu
 
 def _new(call: NativeCall) -> Value:
     """std::shared_ptr<T>(pointer, deleter): the type comes first. What a deleter of its own does to what it leads to is not followed."""
-    return owning(_new_of(call), _owner(call.name) if len(call.args) < 3 else "")
+    type_ = call.args[0]
+    has_deleter = len(call.args) > 2 or (isinstance(type_, TypeOf) and len(type_.arguments) > 1)
+    return owning(_new_of(call), "" if has_deleter else _owner(call.name))
 
 
 def _new_of(call: NativeCall) -> Value:
@@ -174,10 +178,31 @@ def _itself(call: NativeCall) -> Value:
     return call.exactly(1)[0]
 
 
+def _move_all(call: NativeCall) -> Value:
+    """std::move(first, last, out), which leaves elements where they were; they own nothing any more."""
+    machine = call.machine
+    behind = machine.call(External("std.copy"), call.args)
+    for each in places(machine, call.args[0], call.args[1]) or ():
+        left = place(machine, each)
+        held = read(machine, left)
+        if isinstance(held, Pointer) and held.owner == "unique":
+            write(machine, left, owning(held, ""))
+    return behind
+
+
+def _moving(call: NativeCall) -> Value:
+    """std::make_move_iterator(i): who gets the elements owns what they did; whether that ends is not followed then."""
+    held = read(call.machine, call.args[0])
+    slot = as_iterator(held)
+    if slot is not None and isinstance(slot.base, Ref):
+        give_away(call.machine, slot.base)
+    return held
+
+
 def _move(call: NativeCall) -> Value:
     """std::move(x): of a pointer its value; where it stood there may be nothing any more."""
-    if len(call.args) > 2:  # that of <algorithm>, which leaves elements where they were
-        return call.machine.call(External("std.copy"), call.args)
+    if len(call.args) > 2:
+        return _move_all(call)
     place = call.exactly(1)[0]
     held = read(call.machine, place)
     if isinstance(place, Slot) and any(isinstance(option, Pointer) for option in options(held)):
@@ -249,6 +274,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     },
     **{f"std.{name}": _itself for name in ("forward", "as_const", "launder")},
     **dict.fromkeys(("std.move", "std.move_if_noexcept"), _move),
+    "std.make_move_iterator": _moving,
     "std.addressof": _address,
     "std.exchange": _exchange,
     "std.swap": _swap_values,

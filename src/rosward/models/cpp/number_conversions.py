@@ -42,6 +42,9 @@ OCTETS: Final[Mapping[str, str]] = {
 """The types of whole numbers that are characters to a stream, by their other names."""
 
 
+_INT: Final = frozenset({"int", "signed", "signed int"})
+
+
 def truncated(number: int, words: list[str]) -> int:
     """A whole number as a type of that width has it: a narrow one, or one that stands for `npos`; overflow is no matter otherwise."""
     name = " ".join(words).removeprefix("std.")
@@ -49,6 +52,8 @@ def truncated(number: int, words: list[str]) -> int:
     if bits is not None:
         number %= 1 << bits
         return number if name.startswith("u") or number < 1 << (bits - 1) else number - (1 << bits)
+    if 2**31 <= number < 2**32 and name in _INT:  # an unsigned number that fell below zero
+        return number - 2**32
     return (
         number - 2**64 if number >= 2**63 and not {"unsigned", "size_t", "std.size_t"}.intersection(words) else number
     )

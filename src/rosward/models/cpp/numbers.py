@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Final
 
 from rosward.domain.certain import text_of as plain_text
@@ -203,6 +203,7 @@ def _extreme(call: NativeCall) -> Value:
         several = list(series.head) or [machine.unknown(Cause.OPERATION, call.name)]
     elif len(call.args) == 3:
         several = list(call.args[:2])
+    several = list(_of_type(call, several))
     function = read(machine, call.args[2]) if len(call.args) == 3 else None
     best = [several[0]]
     for value in several[1:]:
@@ -215,10 +216,15 @@ def _extreme(call: NativeCall) -> Value:
     source = origins(*(read(machine, value) for value in several))
     if is_default(source):  # with another value than the default, it may be another one
         best = [with_origins(read(machine, value), source) for value in best]
-    types = call.keywords.get("types")
-    if isinstance(types, Tuple) and types.items:
-        return join_all(convert(machine, value, types.items[0]) for value in best)
     return best[0] if len(best) == 1 else join_all(read(machine, value) for value in best)
+
+
+def _of_type(call: NativeCall, values: Sequence[Value]) -> Sequence[Value]:
+    """What is compared, as the type that is said: `std::max<int>(0, names.size() - 5)` compares with a number below zero."""
+    types = call.keywords.get("types")
+    if not isinstance(types, Tuple) or not types.items:
+        return values
+    return [convert(call.machine, read(call.machine, value), types.items[0]) for value in values]
 
 
 def _is_less(machine: Machine, left: Value, right: Value, function: Value | None) -> bool | None:
@@ -230,7 +236,7 @@ def _is_less(machine: Machine, left: Value, right: Value, function: Value | None
 
 def _clamp(call: NativeCall) -> Value:
     machine = call.machine
-    value, low, high = (read(machine, arg) for arg in call.exactly(3))
+    value, low, high = (read(machine, arg) for arg in _of_type(call, call.exactly(3)))
     below, above = _is_less(machine, value, low, None), _is_less(machine, high, value, None)
     found = [low] if below is not False else []
     found += [high] if above is not False and not below else []

@@ -66,6 +66,11 @@ def _of_descriptor(node: Node | None) -> str:
     return same_type(builtin(node.child_by_field_name("type")))
 
 
+def bounded(body: Body, node: Node, type_: str, value: int) -> int:
+    """A sum or product as its type has it: of what fell below zero in `a - b + c` it is not too great."""
+    return difference(body, node, type_, value, ()) if type_ == UNSIGNED else value
+
+
 def difference(body: Body, node: Node, type_: str, value: int, receivers: tuple[int, ...]) -> int:
     """A difference as its type has it: below zero it is a great number. `receivers`: of what the sizes were asked that are a part of it."""
     if type_ not in (UNSIGNED, WIDE) and not receivers:

@@ -117,7 +117,7 @@ def _one(
 ) -> Variable:
     reference = has(shape, REFERENCES) and not has(shape, ARRAYS)
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
-    number = "" if points or reference or static else builtin(type_node)
+    number = "" if points or static else builtin(type_node)
     itself = isinstance(what, Given) or what is None or what.type != "lambda_expression"  # a lambda may call itself
     constant = has_const(node) and itself and not has(shape, POINTERS | ARRAYS)
     found = body.declare(

@@ -153,7 +153,7 @@ def _parameter(
         variable.cell = body.new_cell(symbol.name)
         body.emit(StoreCell(*place, variable.cell, register))
     body.scopes[-1].names[symbol.name] = variable
-    if not reference and symbol.type.names[-1:] == ("unique_ptr",):
+    if not has(declarator, REFERENCES) and symbol.type.names[-1:] == ("unique_ptr",):
         body.scopes[-1].objects.append(variable)  # what it has not given away ends with it
 
 

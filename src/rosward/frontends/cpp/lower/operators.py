@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from rosward.frontends.cpp.lower.arithmetic import difference, receiver_of_size, type_written
+from rosward.frontends.cpp.lower.arithmetic import bounded, difference, receiver_of_size, type_written
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
@@ -87,7 +87,7 @@ def _binary(body: Body, node: Node, want: Want) -> int:
             continue
         body.emit(kind(*body.place(link), dst, operator, value, other))
         type_, sizes = (common(type_, type_written(body, right)), sizes) if operator in "+*/%" else ("", ())
-        value = dst
+        value = bounded(body, link, type_, dst) if operator in "+*" else dst
     return value
 
 
@@ -234,10 +234,10 @@ def _assignment(body: Body, node: Node, want: Want) -> int:
         body.move(node, variable.register, _converted(body, node, variable, literal, src))
         return variable.register
     target = body.variable(word(left)) if left is not None and left.type == "identifier" else None
-    if target is not None and (target.reference or target.raw):
+    if target is not None and target.raw:
         target = None
     slot = body.slot(left)
-    if target is not None and operator != "=" and target.builtin in _CONVERTED:
+    if target is not None and operator != "=" and target.builtin and not is_of(target.builtin, right):
         before, found = body.register(), body.register()
         body.emit(Read(*body.place(node), before, slot))
         body.emit(Binary(*body.place(node), found, operator[:-1], before, src, inplace=True))
