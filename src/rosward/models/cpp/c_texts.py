@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.choice import options
+from rosward.domain.choice import lift, options
 from rosward.domain.compound import External, Slice, Tuple
 from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot
@@ -17,7 +17,7 @@ from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import EMPTY, NONE, Const, Ref, Value
 from rosward.models.cpp.arity import with_least
-from rosward.models.cpp.conversions import convert
+from rosward.models.cpp.conversions import as_characters, convert
 from rosward.models.cpp.copies import write
 from rosward.models.cpp.formatting import printf
 from rosward.models.cpp.slots import read
@@ -56,7 +56,7 @@ def _put(machine: Machine, place: Value, text: Value) -> None:
         elif isinstance(target, Slot):
             write(machine, target, unknown_from(machine, "characters", "str", text), weak=True)
     if not pointers:
-        write(machine, place, text)
+        write(machine, place, lift(as_characters, text))
 
 
 def _fill(machine: Machine, ref: Ref, begin: int, text: str, source: Origins) -> None:

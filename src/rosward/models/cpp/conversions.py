@@ -13,13 +13,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final
 
-from rosward.domain.choice import join_all, options
+from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, FALSE, NONE, UNBOUND, Choice, Class, Const, Ref, Text, Unknown, Value
+from rosward.ir.core import CharText
 from rosward.models.cpp.chrono import as_duration, unit_of
 from rosward.models.cpp.copies import copied, several
 from rosward.models.cpp.number_conversions import NUMBERS
@@ -32,6 +33,7 @@ from rosward.models.python.plain import MAX_ITEMS, from_python, int_of, origins,
 
 __all__ = [
     "NULLOPT",
+    "as_characters",
     "convert",
     "default_value",
     "is_empty_optional",
@@ -154,6 +156,8 @@ def convert(machine: Machine, value: Value, type_: Value, kind: str = "init", de
     number = NUMBERS.get(shape)
     if number is not None:
         return _unbraced(machine, value, type_, depth) if isinstance(value, Tuple) else number(machine, value, type_)
+    if shape is Shape.TEXT and name_of(type_) == "array":
+        return lift(as_characters, _text(machine, value))
     if shape is Shape.TEXT:
         return _text(machine, value)
     if shape in _LISTS or shape in (Shape.MAP, Shape.PAIR):
@@ -215,6 +219,15 @@ def _text_in(machine: Machine, ref: Ref, begin: int) -> Value | None:
     if "\0" not in found or None in found[: found.index("\0")]:
         return None
     return from_python(machine, "".join(map(str, found[: found.index("\0")])), what="string")
+
+
+def as_characters(value: Value) -> Value:
+    """A text as an array of characters holds it, which is no string object."""
+    return (
+        Const(CharText(value.value), value.origins)
+        if text_of(value) is not None and isinstance(value, Const)
+        else value
+    )
 
 
 def _text(machine: Machine, value: Value) -> Value:
