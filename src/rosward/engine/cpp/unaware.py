@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 _MANY: Final = 500
 """A call of fewer is always followed."""
-_REACHED: Final = 300
+_REACHED: Final = 3_000
 """So many objects may be handed to one that is not followed."""
 _STD: Final = f"{MODEL_PREFIX}std/"
 _PLAIN: Final = (Const, Text, Unknown)
@@ -55,6 +55,7 @@ def run(machine: Engine, function: Function, registers: list[Value]) -> Value:
         handed = _Handed(machine)
         if handed.is_data([*registers, *_types(machine, function.module)]):
             return _anything(machine, function, handed)
+        effort.large.discard(key)  # it is asked again once it has taken many steps again
     outermost = effort.since is None
     if outermost:
         effort.since = begun
