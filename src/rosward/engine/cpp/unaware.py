@@ -129,9 +129,8 @@ def follow_left(machine: Engine) -> None:
     Such a call may have made one object lead to another, so that the program comes to them by ways that nobody sees. Objects that are no
     data count as handed to code that is not known.
     """
-    effort, entered = linked(machine).effort, machine.trace.entered
+    effort, entered, reached = linked(machine).effort, machine.trace.entered, _Handed(machine)
     for first, place in list(effort.left.items()):
-        reached = _Handed(machine)
         for value in reached.others(first):
             if isinstance(value, Ref):
                 machine.trace.handed.setdefault(value, place)
