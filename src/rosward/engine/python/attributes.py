@@ -17,11 +17,12 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.python import modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
+from rosward.engine.python.functions import of_function, of_partial
 from rosward.engine.python.members import bind, lookup, of_native_class, type_name
 from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
 from rosward.models.python.attribute_tables import TABLE, own_attribute
-from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE, may_hide
+from rosward.models.python.builtins.attributes import may_hide
 from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
 from rosward.models.ros import message_fields
 from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
@@ -49,22 +50,24 @@ def load(machine: Engine, value: Value, name: str) -> Value:
     if value.__class__ is Super:
         return _of_super(machine, value, name)
     if value.__class__ is Function:
-        return _of_function(machine, value, name)
+        return of_function(machine, value, name)
     if value.__class__ is BoundMethod:
         if name in ("__self__", "__func__"):
             return value.receiver if name == "__self__" else value.function
-        return load(machine, value.function, name)
+        return value if name == "__call__" else load(machine, value.function, name)
     if value.__class__ is Native:
         if name in ("__name__", "__qualname__"):
             return Const(value.name.rpartition(".")[2])
         base = value.name.removeprefix("builtins.")
+        if name == "__dict__" and isinstance(getattr(builtins, base, None), type):
+            return machine.new_dict({Const(n): Native(f"{base}.{n}") for n in vars(getattr(builtins, base))})
         if is_exception(base):
             return of_native_class(machine, base, name) or of_exception_class(machine, base, name)
         return of_class(base, name) or Native(f"{base}.{name}")
     if value.__class__ is Descriptor:
         return Partial(Native(f"descriptor.{name}"), (value,), ())
-    if value.__class__ is Partial and name in ("func", "args"):
-        return value.function if name == "func" else Tuple(value.arguments)
+    if value.__class__ is Partial and name in ("func", "args", "keywords", "__call__"):
+        return of_partial(machine, value, name)
     return _of_builtin(machine, value, name)
 
 
@@ -318,22 +321,6 @@ def _through_super(machine: Engine, found: Value, receiver: Value, cls: Value, n
     if receiver is cls and found.__class__ is Function:
         return found
     return bind(machine, found, receiver, cls)
-
-
-def _of_function(machine: Engine, function: Function, name: str) -> Value:
-    kept = machine.function_record(function)
-    found = kept.attrs.get(name) if kept is not None else None  # first: functools.wraps renames
-    if found is not None:
-        return found
-    if name in ("__name__", "__qualname__"):
-        return Const(function.code.name if name == "__name__" else function.code.qualname)
-    if name == "__module__":
-        return Const(function.module.name)
-    if name == "__doc__":
-        return Const(function.code.doc)
-    if kept is not None and ANY_ATTRIBUTE in kept.partial:
-        return machine.unknown(Cause.CALL, f"{function.code.name}.{name}")
-    return machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
 
 
 def setter_of(machine: Engine, in_class: Value | None) -> Value | None:

@@ -43,10 +43,14 @@ def delete(machine: Engine, target: Value, name: str) -> None:
 
 
 def remove(machine: Engine, target: Value, name: str) -> None:
-    """What an object, class or module holds under a name is gone."""
+    """What an object, class, module or function holds under a name is gone."""
     if target.__class__ is Ref or target.__class__ is Class or target.__class__ is ModuleValue:
         record = machine.at(target.address)
         if target.__class__ is Ref and remove_from_table(machine, record, name):
             return
         if name in record.attrs and not record.many:
             machine.put(target.address, record.with_attr(name, UNBOUND))
+    elif target.__class__ is Function:
+        kept = machine.function_record(target)
+        if kept is not None and name in kept.attrs:
+            machine.put(machine.library.function_address(target), kept.with_attr(name, UNBOUND))

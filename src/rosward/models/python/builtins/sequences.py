@@ -14,7 +14,7 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
-from rosward.models.python.builtins.lazy import acts, lazily, stepped
+from rosward.models.python.builtins.lazy import acts, lazily, shared, stepped
 from rosward.models.python.containers.lists import ITERATOR, order, write_series
 from rosward.models.python.operators.compare import comparable
 from rosward.models.python.plain import (
@@ -64,7 +64,7 @@ def _enumerate(call: NativeCall) -> Value:
 
 
 def _zip(call: NativeCall) -> Value:
-    if stepped(call, call.args):
+    if shared(call, call.args):
         return lazily(call, "zip", *call.args)
     columns = [call.machine.iterate(a) for a in call.args]
     if call.loose is not None:  # `zip(*rows)`: rows of unknown length
@@ -86,7 +86,7 @@ def _zip(call: NativeCall) -> Value:
 
 def _map(call: NativeCall) -> Value:
     machine, function = call.machine, call.args[0]
-    if acts(machine, function) or stepped(call, call.args[1:]):
+    if acts(machine, function) or shared(call, call.args[1:]):
         return lazily(call, "map" if len(call.args) == 2 else "map_rows", *call.args)
     columns = [machine.iterate(a) for a in call.args[1:]]
     if all(c.rest is None for c in columns):

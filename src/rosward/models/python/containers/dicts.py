@@ -100,6 +100,8 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
     index = plain_data(machine, index)
     several = weak or isinstance(index, Choice)
     obj = machine.obj(ref)
+    if isinstance(obj.payload, Value) and not isinstance(obj.payload, Ref):
+        machine.report("RW203", "a function may be given other defaults")
     for option in options(index):
         key = key_of(option)
         if key is None:
