@@ -267,6 +267,8 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
         return Partial(Native("builtins.list"), (below,), ())
     if name == "__bases__":
         return Tuple(cls.bases or (_OBJECT,))
+    if name == "__base__" and len(cls.bases) < 2:  # of several, the one that decides how objects look in memory
+        return cls.bases[0] if cls.bases else _OBJECT
     if name == "__dict__":
         return table_of(machine, cls.address)
     for base in cls.mro:
@@ -275,8 +277,10 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
     fallback = in_metaclass(machine, cls, "__getattr__")
     if fallback is not None:
         return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
-    if name.startswith("__") and name != "__doc__" and hasattr(object, name):
+    if name.startswith("__") and name != "__doc__" and name in vars(object):
         return Native(f"object.{name}")
+    if hasattr(type, name):
+        return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
     return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
 
 

@@ -191,6 +191,7 @@ _PYTHON: Final[dict[str, type]] = {
     "builtins.generator": type(_ for _ in ()),
     "builtins.function": type(_of_python),
     "builtins.builtin_function_or_method": type(len),
+    "builtins.method": types.MethodType,
     "builtins.NoneType": type(None),
 }
 
@@ -202,7 +203,9 @@ _MODELLED: Final = {"collections": collections, "types": types}
 def _modelled(base: Value) -> type | None:
     """The class of Python that a model stands for."""
     module = _MODELLED.get(base.module) if base.__class__ is Class and base.stub else None
-    found = getattr(module, base.name, None) if module is not None and isinstance(base, Class) else None
+    if module is None or not isinstance(base, Class):
+        return None
+    found = tuple if base.name == "_NamedTuple" else getattr(module, base.name, None)
     return found if isinstance(found, type) else None
 
 

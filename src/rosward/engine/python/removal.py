@@ -6,8 +6,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
-from rosward.domain.compound import Descriptor
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
+from rosward.domain.compound import Descriptor, Native, Partial
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.python import members
 from rosward.models.python.attribute_tables import remove_from_table
@@ -23,8 +23,8 @@ def delete(machine: Engine, target: Value, name: str) -> None:
         if option.__class__ is Ref and machine.obj(option).kind == "instance":
             cls = machine.obj(option).cls
             hook = members.lookup(machine, cls, "__delattr__")
-            if hook.__class__ is Function:
-                return machine.call(hook, (option, Const(name)))
+            if hook.__class__ in (Function, Native, Partial, Choice):
+                return machine.call(members.bind(machine, hook or NONE, option, cls), (Const(name),))
             found = members.lookup(machine, cls, name)
             if found.__class__ is Descriptor and found.deleter is not None:
                 return machine.call(found.deleter, (option,))
