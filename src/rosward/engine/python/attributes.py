@@ -253,6 +253,24 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
         return bind(machine, found, NONE, cls) if found.__class__ is Ref else found
     if meta is not None:
         return bind(machine, meta, cls, metaclass_of(machine, cls))
+    own = _of_every_class(machine, cls, name) if name.startswith("__") or name == "mro" else None
+    if own is not None:
+        return own
+    for base in cls.mro:
+        if base.__class__ is External:
+            return External(f"{base.name}.{name}")
+    fallback = in_metaclass(machine, cls, "__getattr__")
+    if fallback is not None:
+        return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
+    if name.startswith("__") and name != "__doc__" and name in vars(object):
+        return Native(f"object.{name}")
+    if hasattr(type, name):
+        return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
+    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
+
+
+def _of_every_class(machine: Engine, cls: Class, name: str) -> Value | None:
+    """What each class has from `type`."""
     if name in ("__name__", "__qualname__"):
         return Const(cls.name if name == "__name__" else cls.qualname)
     if name == "__module__":
@@ -271,17 +289,7 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
         return cls.bases[0] if cls.bases else _OBJECT
     if name == "__dict__":
         return table_of(machine, cls.address)
-    for base in cls.mro:
-        if base.__class__ is External:
-            return External(f"{base.name}.{name}")
-    fallback = in_metaclass(machine, cls, "__getattr__")
-    if fallback is not None:
-        return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
-    if name.startswith("__") and name != "__doc__" and name in vars(object):
-        return Native(f"object.{name}")
-    if hasattr(type, name):
-        return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
-    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
+    return None
 
 
 def _of_super(machine: Engine, value: Super, name: str) -> Value:

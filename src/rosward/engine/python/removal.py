@@ -24,7 +24,7 @@ def delete(machine: Engine, target: Value, name: str) -> None:
             cls = machine.obj(option).cls
             hook = members.lookup(machine, cls, "__delattr__")
             if hook.__class__ in (Function, Native, Partial, Choice):
-                return machine.call(members.bind(machine, hook or NONE, option, cls), (Const(name),))
+                return machine.call(members.bind(machine, hook, option, cls), (Const(name),))
             found = members.lookup(machine, cls, name)
             if found.__class__ is Descriptor and found.deleter is not None:
                 return machine.call(found.deleter, (option,))

@@ -16,6 +16,7 @@ from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 from rosward.models.python.builtins.lazy import acts, lazily, shared, stepped
 from rosward.models.python.containers.lists import ITERATOR, order, write_series
+from rosward.models.python.containers.views import renewed
 from rosward.models.python.operators.compare import comparable
 from rosward.models.python.plain import (
     NOT_PLAIN,
@@ -243,7 +244,7 @@ def _len_of(call: NativeCall, value: Value) -> Value:
     if isinstance(value, Range) and (numbers := range_of(value)) is not None:
         return Const(run(len, numbers), origins(value))
     if isinstance(value, Ref):
-        obj = machine.obj(value)
+        obj = renewed(machine, value)
         if obj.kind in ("list", "set") and (obj.items is not None or obj.rest is None):
             return Const(len(obj.items or ()))
         if obj.kind == "dict" and obj.rest is None and not obj.maybe:

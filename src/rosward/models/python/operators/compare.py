@@ -282,6 +282,11 @@ def _has_equality(machine: Machine, cls: Value) -> bool:
 # Membership
 
 
+VIEWED: Final = "_rosward_viewed"
+"""What a view of a dict shows: the dict, and which of keys, values and items."""
+KEYS: Final = Const("keys")
+
+
 def contains(machine: Machine, container: Value, item: Value) -> tuple[bool | None, Origins]:
     """item in container, and what that depends on beyond the two."""
     if isinstance(container, (Const, Text)):
@@ -296,6 +301,9 @@ def contains(machine: Machine, container: Value, item: Value) -> tuple[bool | No
     if not isinstance(container, Ref):
         return None, frozenset()
     obj = machine.obj(container)
+    shown = obj.attrs.get(VIEWED)
+    if isinstance(shown, Tuple) and shown.items[1] == KEYS and isinstance(shown.items[0], Ref):
+        obj = machine.obj(shown.items[0])
     if obj.kind in ("list", "set"):
         series = obj.series()
         items = (*series.head, *series.tail)
