@@ -17,13 +17,14 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.python import modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
-from rosward.engine.python.functions import of_function, of_partial
+from rosward.engine.python.functions import kept_table, of_function, of_partial
 from rosward.engine.python.members import bind, lookup, of_native_class, type_name
 from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.builtins.attributes import may_hide
 from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
+from rosward.models.python.std.annotations import of_class as annotated
 from rosward.models.ros import message_fields
 from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
 
@@ -244,6 +245,10 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
     meta = in_metaclass(machine, cls, name)
     if meta.__class__ is Descriptor and meta.kind == "property":
         return bind(machine, meta, cls, metaclass_of(machine, cls))
+    if name == "__annotations__" and not cls.stub:
+        written = annotated(machine, cls)
+        if written is not None:
+            return kept_table(machine, cls, written.items())
     found = lookup(machine, cls, name)
     if found is not None:
         if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):

@@ -8,6 +8,7 @@ f.__get__(node)                      the method of that object
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Native, Partial, Tuple
@@ -16,6 +17,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Value
 from rosward.engine.python.namespaces import table_of
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
+from rosward.models.python.std.annotations import of_function as annotated
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -61,7 +63,9 @@ def _of_every(machine: Engine, function: Function, name: str) -> Value | None:
     if name == "__defaults__":
         return Tuple(function.defaults) if function.defaults else NONE
     if name == "__kwdefaults__":
-        return _table(machine, function, function.kwdefaults) if function.kwdefaults else NONE
+        return kept_table(machine, function, function.kwdefaults) if function.kwdefaults else NONE
+    if name == "__annotations__":
+        return machine.new_dict({Const(n): v for n, v in annotated(machine, function).items()})
     if name == "__code__":
         return _code(machine, function)
     if name == "__closure__":
@@ -76,7 +80,7 @@ def _object(machine: Engine, what: object, **attrs: Value) -> Value:
     return machine.allocate(Obj("instance", NONE, attrs=present), what)
 
 
-def _table(machine: Engine, owner: Value, entries: tuple[tuple[str, Value], ...]) -> Value:
+def kept_table(machine: Engine, owner: Value, entries: Iterable[tuple[str, Value]]) -> Value:
     """A dict of what belongs to a value that does not change; that something is stored in it is told (`dicts.store`)."""
     record = Obj("dict", Native("builtins.dict"), entries={Const(k): v for k, v in entries}, payload=owner)
     return machine.allocate(record, "table")
@@ -104,7 +108,7 @@ def _code(machine: Engine, function: Function) -> Value:
 def of_partial(machine: Engine, value: Partial, name: str) -> Value:
     """What a `functools.partial` says of itself."""
     if name == "keywords":
-        return _table(machine, value, value.keywords)
+        return kept_table(machine, value, value.keywords)
     if name == "__call__":
         return value
     return value.function if name == "func" else Tuple(value.arguments)

@@ -27,7 +27,9 @@ def table_of(machine: Engine, address: int, apart: frozenset[str] = frozenset())
     cls = machine.at(address).cls
     slots = apart | {n for base in (cls.mro if isinstance(cls, Class) else ()) for n in slots_of(machine, base) or ()}
     entries: dict[Value, Value] = {
-        Const(k): v for k, v in attrs.items() if v is not UNBOUND and k.isidentifier() and k not in slots
+        Const(k): v
+        for k, v in attrs.items()
+        if v is not UNBOUND and k.isidentifier() and k not in slots and not k.startswith("_rosward")
     }
     maybe = frozenset(k for k in map(Const, partial) if k in entries)
     record = Obj("dict", Native("builtins.dict"), entries=entries, maybe=maybe, payload=Ref(address))

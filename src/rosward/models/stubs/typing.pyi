@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`typing`: without effect when the program runs; annotations are kept as text."""
-from _rosward import reads_only
+from _rosward import native, reads_only
 from collections import _NamedTuple, _make_named_tuple, _name_fields
 from collections import OrderedDict as OrderedDict
 from collections import defaultdict as DefaultDict
@@ -69,8 +69,12 @@ def reveal_type(obj, /):
     return obj
 @reads_only
 def assert_never(arg, /): ...
+@native
+def _hints(obj): ...
 @reads_only
-def get_type_hints(obj, globalns=None, localns=None, include_extras=False) -> dict: ...
+def _extra_hints(obj) -> dict: ...
+def get_type_hints(obj, globalns=None, localns=None, include_extras=False):
+    return _extra_hints(obj) if include_extras or globalns or localns else _hints(obj)
 @reads_only
 def get_origin(tp): ...
 @reads_only

@@ -100,7 +100,7 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
     several = weak or isinstance(index, Choice)
     obj = machine.obj(ref)
     if isinstance(obj.payload, Value) and not isinstance(obj.payload, Ref):
-        machine.report("RW203", "a function may be given other defaults")
+        machine.report("RW203", "the defaults of a function, or the annotations of a class, may be changed")
     for option in options(index):
         key = key_of(option)
         if key is None:
