@@ -65,7 +65,7 @@ class Parameter:
 
 class Signature:
     empty = _empty
-    def __init__(self, parameters=None, *, return_annotation=_empty):
+    def __init__(self, parameters=None, *, return_annotation=_empty, __validate_parameters__=True):
         self.parameters = {one.name: one for one in parameters or ()}
         self.return_annotation = return_annotation
     @reads_only
