@@ -69,6 +69,8 @@ def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
             record = machine.own(address) or Obj("instance", NONE)
             machine.put(address, record.with_attr(name, value))
         elif option.__class__ in (External, Unknown):
+            if option == External("builtins"):
+                machine.report("RW203", f"the builtin {name} may be another one")
             machine.escape((value,), name_of(option), option)
     return True
 

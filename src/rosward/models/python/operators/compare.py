@@ -48,6 +48,12 @@ _IDENTITY: Final = ("is", "is-not")
 _NEGATED: Final = ("!=", "is-not", "not-in")
 
 
+VIEWED: Final = "_rosward_viewed"
+"""What a view of a dict shows: the dict, and which of keys, values and items."""
+KEYS: Final = Const("keys")
+VALUES: Final = Const("values")
+
+
 @operation
 def compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
     """left op right."""
@@ -59,6 +65,8 @@ def _compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
     if op in ("in", "not-in"):
         decided, more = contains(machine, right, left)
         source |= more
+    elif op not in _IDENTITY and (_is_view(machine, left) or _is_view(machine, right)):
+        decided = _views(machine, op, left, right)
     elif op in ("==", "!="):
         decided = equal(machine, left, right)
     elif op in _IDENTITY:
@@ -68,6 +76,32 @@ def _compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
     if decided is None:
         return unknown_from(machine, op, "bool", left, right)
     return Const(decided is not (op in _NEGATED), source)
+
+
+def _is_view(machine: Machine, value: Value) -> bool:
+    return isinstance(value, Ref) and VIEWED in machine.obj(value).attrs
+
+
+def _views(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
+    """A view of keys or of items compared with another one, or with a set: as sets."""
+    sets = [_plain_set(machine, v) for v in (left, right)]
+    if None in sets:
+        return None
+    return bool(run(operator.eq if op in ("==", "!=") else _ORDER[op], *sets))
+
+
+def _plain_set(machine: Machine, value: Value) -> frozenset[object] | None:
+    """The Python set that a set or view surely is."""
+    obj = machine.obj(value) if isinstance(value, Ref) else None
+    shown = obj.attrs.get(VIEWED) if obj is not None else None
+    items = obj.items if obj is not None and obj.kind == "set" else None
+    if isinstance(shown, Tuple) and isinstance(shown.items[0], Ref) and shown.items[1] != VALUES:
+        table = machine.obj(shown.items[0])
+        if table.rest is None and not table.maybe:
+            pairs = shown.items[1] != KEYS
+            items = tuple(Tuple((k, v)) if pairs else k for k, v in table.entries.items())
+    found = None if items is None else [plain(i) for i in items]
+    return None if found is None or any(i is NOT_PLAIN for i in found) else run(frozenset, found)
 
 
 def _ordered(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
@@ -280,11 +314,6 @@ def _has_equality(machine: Machine, cls: Value) -> bool:
 
 
 # Membership
-
-
-VIEWED: Final = "_rosward_viewed"
-"""What a view of a dict shows: the dict, and which of keys, values and items."""
-KEYS: Final = Const("keys")
 
 
 def contains(machine: Machine, container: Value, item: Value) -> tuple[bool | None, Origins]:

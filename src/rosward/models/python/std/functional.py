@@ -38,7 +38,8 @@ def _partial(call: NativeCall) -> Value:
 
 def _wraps(call: NativeCall) -> Value:
     """functools.wraps(f): a decorator that gives a function the name and the docstring of f."""
-    return Partial(Native("functools._wrapped"), call.args[:1], ())
+    updated = tuple((name, value) for name, value in call.keywords.items() if name == "updated")
+    return Partial(Native("functools._wrapped"), call.args[:1], updated)
 
 
 def _wrapped(call: NativeCall) -> Value:
@@ -52,7 +53,8 @@ def _wrapped(call: NativeCall) -> Value:
     if isinstance(wrapper, Function) or (isinstance(wrapper, Ref) and machine.obj(wrapper).kind == "instance"):
         for name in ("__module__", "__name__", "__qualname__", "__doc__"):
             machine.store_attr(wrapper, name, machine.load_attr(wrapped, name))
-        _hand_on(machine, wrapped, wrapper)
+        if call.keywords.get("updated") != Tuple(()):
+            _hand_on(machine, wrapped, wrapper)
         machine.store_attr(wrapper, "__wrapped__", wrapped)
     return wrapper
 
