@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
-from rosward.domain.compound import Descriptor, External, Native, Partial
+from rosward.domain.compound import Descriptor, External, Native
 from rosward.domain.heap import Obj
 from rosward.domain.table import marked
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
@@ -17,7 +17,7 @@ from rosward.engine.escape import name_of
 from rosward.engine.python import members
 from rosward.engine.python.attributes import setter_of
 from rosward.engine.python.namespaces import slots_of
-from rosward.engine.python.removal import remove
+from rosward.engine.python.removal import HOOKS, remove
 from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
 from rosward.models.ros import message_fields
@@ -26,8 +26,6 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 _OBJECT: Final = Native("builtins.object")
-_HOOKS: Final = (Function, Native, Partial, Choice)
-"""What may stand for `__setattr__`: a function of the program, `dict.__setitem__`."""
 _OF_A_FUNCTION: Final = frozenset({"__code__", "__defaults__", "__kwdefaults__"})
 """What decides what a call runs, and is not followed where the program sets it."""
 
@@ -83,7 +81,7 @@ def store_past_hook(machine: Engine, ref: Ref, name: str, value: Value, *, weak:
 def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
     obj = machine.obj(ref)
     hook = members.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
-    if hook is not None and hook.__class__ in _HOOKS:
+    if hook is not None and all(option.__class__ in HOOKS for option in options(hook)):
         return machine.call(members.bind(machine, hook, ref, obj.cls), (Const(name), value)) is not UNBOUND
     in_class = members.lookup(machine, obj.cls, name) if obj.kind == "instance" else None
     if in_class.__class__ is Descriptor and in_class.kind == "property":

@@ -155,9 +155,7 @@ def _call_object(machine: Engine, ref: Ref, args: Arguments, keywords: Keywords)
 
 _QUESTIONS: Final = ("is_", "has_", "isgenerator", "iscoroutine", "isasync", "ismethod", "isdata", "callable")
 """How the names of functions begin that answer whether something is so."""
-_ABOUT: Final = frozenset(
-    {"ast", "dis", "gc", "inspect", "json", "pickle", "pprint", "pydoc", "sys", "typing", "weakref"}
-)
+_ABOUT: Final = frozenset({"ast", "dis", "gc", "inspect", "json", "pickle", "pprint", "pydoc", "sys"})
 """Modules of Python whose functions say something about a function or class: none is a decorator without a model."""
 
 

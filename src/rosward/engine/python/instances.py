@@ -221,11 +221,14 @@ def _of_abstract(machine: Engine, cls: Value, abstract: type) -> bool | None:
         return _of_python(cls.name, abstract)
     assert isinstance(cls, Class)
     by_base: list[bool | None] = []
+    inside: set[Value] = set()  # what the models of classes of Python are made of
     for base in cls.mro:
         real = _modelled(base)
-        if real is not None:
+        if real is not None and isinstance(base, Class):
             by_base.append(issubclass(real, abstract))
-            break
+            inside.update(base.mro)
+        if base in inside:
+            continue
         if base.__class__ is Native:
             by_base.append(_of_python(base.name, abstract))
         elif base.__class__ is Class:

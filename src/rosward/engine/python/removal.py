@@ -3,17 +3,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import Descriptor, Native, Partial
-from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.python import members
 from rosward.models.python.attribute_tables import remove_from_table
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
+
+
+HOOKS: Final = (Function, Native, Partial)
+"""What may stand for `__setattr__` and `__delattr__`: a function of the program, `dict.__setitem__`."""
 
 
 def delete(machine: Engine, target: Value, name: str) -> None:
@@ -23,7 +27,7 @@ def delete(machine: Engine, target: Value, name: str) -> None:
         if option.__class__ is Ref and machine.obj(option).kind == "instance":
             cls = machine.obj(option).cls
             hook = members.lookup(machine, cls, "__delattr__")
-            if hook.__class__ in (Function, Native, Partial, Choice):
+            if hook is not None and all(each.__class__ in HOOKS for each in options(hook)):
                 return machine.call(members.bind(machine, hook, option, cls), (Const(name),))
             found = members.lookup(machine, cls, name)
             if found.__class__ is Descriptor and found.deleter is not None:

@@ -92,7 +92,7 @@ def of_python(name: str) -> object:
     """The builtin, or the method of one, that has a name (`builtins.len`, `object.__eq__`); None where Python has none."""
     found: object = builtins
     for part in name.removeprefix("builtins.").split("."):
-        found = getattr(found, part, None)
+        found = None if found is None else getattr(found, part, None)
     return found
 
 
