@@ -16,6 +16,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.engine.escape import name_of
 from rosward.engine.python import members
 from rosward.engine.python.attributes import setter_of
+from rosward.engine.python.functions import record_of
 from rosward.engine.python.namespaces import slots_of
 from rosward.engine.python.removal import HOOKS, remove
 from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
@@ -63,9 +64,13 @@ def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
         elif option.__class__ is Function:
             if name in _OF_A_FUNCTION:
                 machine.report("RW203", "a function may be given another body or other defaults")
-            address = machine.library.function_address(option)
-            record = machine.own(address) or Obj("instance", NONE)
-            machine.put(address, record.with_attr(name, value))
+            address, record = machine.library.function_address(option), record_of(machine, option)
+            old = record.attrs.get(name)
+            weak = several or record.many
+            changed = record.with_attr(name, join(old, value) if weak and old is not None else value)
+            if weak and (old is None or name in record.partial):
+                changed.partial = marked(record.partial, name)
+            machine.put(address, changed)
         elif option.__class__ in (External, Unknown):
             if option == External("builtins"):
                 machine.report("RW203", f"the builtin {name} may be another one")

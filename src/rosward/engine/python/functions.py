@@ -26,6 +26,13 @@ _NOT_IN_DICT: Final = frozenset({"__module__", "__name__", "__qualname__", "__do
 """What `functools.wraps` sets on a function, and is not part of its `__dict__`."""
 
 
+def record_of(machine: Engine, function: Function) -> Obj:
+    """What is kept of a function. It stands for several functions where a variable that it captures does."""
+    kept = machine.function_record(function) or Obj("instance", NONE)
+    several = not kept.many and any(machine.at(cell).many for cell in function.cells)
+    return kept.replace(many=True) if several else kept
+
+
 def of_function(machine: Engine, function: Function, name: str) -> Value:
     """function.name"""
     kept = machine.function_record(function)
@@ -54,9 +61,9 @@ def _of_every(machine: Engine, function: Function, name: str) -> Value | None:
     if name == "__get__":
         return BoundMethod(function, Native("function.__get__"))
     if name == "__dict__":
-        address = machine.library.function_address(function)
-        if machine.own(address) is None:
-            machine.put(address, Obj("instance", NONE))
+        address, record = machine.library.function_address(function), record_of(machine, function)
+        if record is not machine.own(address):
+            machine.put(address, record)
         return table_of(machine, address, _NOT_IN_DICT)
     if name == "__globals__":
         return table_of(machine, function.module.address)

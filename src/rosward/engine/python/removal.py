@@ -56,5 +56,5 @@ def remove(machine: Engine, target: Value, name: str) -> None:
             machine.put(target.address, record.with_attr(name, UNBOUND))
     elif target.__class__ is Function:
         kept = machine.function_record(target)
-        if kept is not None and name in kept.attrs:
+        if kept is not None and name in kept.attrs and not kept.many:
             machine.put(machine.library.function_address(target), kept.with_attr(name, UNBOUND))
