@@ -44,7 +44,7 @@ def getmembers(object, predicate=None):
             found.append((name, member))
     return found
 @native
-def _parameters(obj, empty): ...
+def _parameters(obj, empty, follow): ...
 
 class _empty: ...
 
@@ -76,7 +76,7 @@ class Signature:
     def replace(self, **changes): ...
 
 def signature(obj, *, follow_wrapped=True, globals=None, locals=None, eval_str=False):
-    rows, result = _parameters(unwrap(obj) if follow_wrapped else obj, _empty)
+    rows, result = _parameters(obj, _empty, follow_wrapped)
     made = [Parameter(name, kind, default=default, annotation=note) for name, kind, default, note in rows]
     return Signature(made, return_annotation=result)
 def getfullargspec(func): ...

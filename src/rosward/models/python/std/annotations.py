@@ -26,6 +26,10 @@ _BUILTINS: Final = frozenset(
 )
 
 
+_MOST_WRAPPED: Final = 20
+"""How many decorators around a function are looked through."""
+
+
 def parsed(text: str) -> ast.expr:
     """An annotation, or what stands in one that is a string; `...` where it is no expression."""
     try:
@@ -130,23 +134,28 @@ def _function(value: Value) -> Value:
 
 
 def _parameters(call: NativeCall) -> Value:
-    """inspect._parameters(callable, empty): name, kind, default and annotation of each parameter, and the annotation of the result."""
-    machine, (value, empty) = call.machine, call.exactly(2)
-    bound = 0
-    while isinstance(value, (BoundMethod, Class)):
-        bound += 1
-        value = value.function if isinstance(value, BoundMethod) else machine.load_attr(value, "__init__")
-    wrapped = machine.function_record(value) if isinstance(value, Function) else None
-    if not isinstance(value, Function) or (wrapped is not None and "__wrapped__" in wrapped.attrs):
+    """inspect._parameters(callable, empty, follow): name, kind, default and annotation of each parameter, and the annotation of the result."""
+    machine, (value, empty, follow) = call.machine, call.exactly(3)
+    bound, followed = 0, machine.truth(follow)
+    for _ in range(_MOST_WRAPPED):
+        kept = machine.function_record(value) if isinstance(value, Function) and followed else None
+        if isinstance(value, (BoundMethod, Class)):
+            bound += 1
+            value = value.function if isinstance(value, BoundMethod) else machine.load_attr(value, "__init__")
+        elif kept is not None and "__wrapped__" in kept.attrs:
+            value = kept.attrs["__wrapped__"]
+        else:
+            break
+    if not isinstance(value, Function) or followed is None:
         return machine.unknown(Cause.CALL, "inspect.signature")
     given, notes = value.code.parameters, of_function(machine, value)
     first = len(given.positional) - len(value.defaults)
     defaults = dict(zip(given.positional[first:], value.defaults, strict=False)) | dict(value.kwdefaults)
-    kinds = [(n, 0 if number < given.posonly else 1) for number, n in enumerate(given.positional)]
+    kinds = [(n, 0 if number < given.posonly else 1) for number, n in enumerate(given.positional)][bound:]
     kinds += [(given.vararg, 2)] if given.vararg is not None else []
     kinds += [(n, 3) for n in given.kwonly]
     kinds += [(given.kwarg, 4)] if given.kwarg is not None else []
-    rows = [Tuple((Const(n), Const(kind), defaults.get(n, empty), notes.get(n, empty))) for n, kind in kinds[bound:]]
+    rows = [Tuple((Const(n), Const(kind), defaults.get(n, empty), notes.get(n, empty))) for n, kind in kinds]
     return Tuple((_tuple(rows), notes.get("return", empty)))
 
 
