@@ -18,7 +18,7 @@ from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.contents import bare, plain_data
-from rosward.models.python.operators.compare import compares, equal
+from rosward.models.python.operators.compare import compares, equal, row_of
 from rosward.models.python.plain import Raised, all_of, native, origins, unknown_from, with_origins
 from rosward.records import NamedTuple
 
@@ -78,7 +78,14 @@ def _look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
     if present is not None and present not in obj.maybe:
         return LookUp(obj.entries[present], False)
     candidates = [present] if present is not None else []
-    if key is None:
+    if present is None and isinstance(key, (Ref, Tuple)) and row_of(machine, key) is not None:
+        alike: dict[Value, bool | None] = {
+            k: equal(machine, k, key) for k in obj.entries if isinstance(k, (Ref, Tuple))
+        }
+        candidates = [k for k, answer in alike.items() if answer is not False]
+        if len(candidates) == 1 and alike[candidates[0]] and candidates[0] not in obj.maybe:
+            return LookUp(obj.entries[candidates[0]], False)
+    elif key is None:
         candidates = [k for k in obj.entries if equal(machine, k, index) is not False]
     values = [obj.entries[k] for k in candidates]
     if obj.rest is not None and (obj.rest_key is None or equal(machine, obj.rest_key, index) is not False):

@@ -245,6 +245,9 @@ def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | 
     """At least one object on the heap; the special methods of instances were tried before."""
     kinds = (kind_of(machine, left), kind_of(machine, right))
     if "instance" in kinds or "generator" in kinds or "" in kinds:
+        rows = (row_of(machine, left), row_of(machine, right)) if "instance" in kinds else (None, None)
+        if rows[0] is not None and rows[1] is not None:
+            return _sequences(machine, rows[0].items, rows[1].items, depth)
         return _instances(machine, left, right)
     if kinds[0] != kinds[1]:
         return False
@@ -264,6 +267,20 @@ def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | 
     if kinds[0] == "set" and a.items is not None and b.items is not None:
         return _same_constants(a.items, b.items) if all(isinstance(k, Const) for k in (*a.items, *b.items)) else None
     return None
+
+
+def row_of(machine: Machine, value: Value) -> Tuple | None:
+    """A tuple, or what a named tuple holds where it is one object of a class without an `__eq__` of its own."""
+    if not isinstance(value, Ref):
+        return value if isinstance(value, Tuple) else None
+    obj = machine.obj(value)
+    is_row = isinstance(obj.cls, Class) and any(isinstance(b, Class) and b.name == "_NamedTuple" for b in obj.cls.mro)
+    if not is_row or obj.many or obj.partial or _has_equality(machine, obj.cls):
+        return None
+    fields = machine.load_attr(obj.cls, "_fields")
+    names = [str(n.value) for n in fields.items if isinstance(n, Const)] if isinstance(fields, Tuple) else []
+    held = [obj.attrs[n] for n in names if n in obj.attrs]
+    return Tuple(tuple(held)) if names and len(held) == len(names) else None
 
 
 def _series(machine: Machine, left: Series, right: Series, depth: int) -> bool | None:
