@@ -60,7 +60,11 @@ _LENGTHS: Final[Mapping[str, str]] = {
 _SHORT: Final[Mapping[str, str]] = {"8": "hh", "16": "h", "LEAST8": "hh", "LEAST16": "h", "FAST8": "hh"}
 _FORMATS: Final = (
     *(f'PRI{kind}{width} "{length}{kind}"' for width, length in _LENGTHS.items() for kind in "diouxX"),
-    *(f'SCN{kind}{width} "{_SHORT.get(width, length)}{kind}"' for width, length in _LENGTHS.items() for kind in "dioux"),
+    *(
+        f'SCN{kind}{width} "{_SHORT.get(width, length)}{kind}"'
+        for width, length in _LENGTHS.items()
+        for kind in "dioux"
+    ),
 )
 
 NOT_DEFINED: Final = frozenset(

@@ -35,11 +35,13 @@ def type_label(machine: Machine, type_: Value) -> str:
     return text_of(attrs.get("name", attrs.get("_name_")))
 
 
-def initial_value(machine: Machine, node: Value, name: Value, default: Value, hint: str, ignored: Value) -> Value:
+def initial_value(
+    machine: Machine, node: Value, name: Value, default: Value, hint: str, ignored: Value, element: str = ""
+) -> Value:
     """The value of a parameter when it is declared: what the code or the command line sets, else its default.
 
-    Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
-    `ignored`: whether what is set from outside does not count (ignore_override).
+    Of a process whose command line is known the default holds for sure; otherwise anybody may have set another. A list without elements
+    is joined with another one: of which type, `element` says. `ignored`: whether what is set from outside does not count (ignore_override).
     """
     label = text_of(name, readable(name))
     override = override_of(machine, node, label) if ignored != TRUE else None
@@ -53,7 +55,16 @@ def initial_value(machine: Machine, node: Value, name: Value, default: Value, hi
         else mark(machine, option, origin)
         for option in (options(default) if override is None else (override,))
     ]
+    if override is None and not origin.settled and any(_is_empty(machine, value) for value in values):
+        values.append(machine.new_list((), Unknown((Reason(Cause.OTHER, label, machine.place),), element)))
     return join_all([*values, *(Unknown((r,), hint) for r in open_)])
+
+
+def _is_empty(machine: Machine, value: Value) -> bool:
+    """Whether a default is a list without elements: none of them can tell what is made of each element."""
+    if isinstance(value, Tuple):
+        return not value.items
+    return isinstance(value, Ref) and machine.obj(value).kind == "list" and machine.obj(value).items == ()
 
 
 def given_wrongly(

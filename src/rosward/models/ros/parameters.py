@@ -52,7 +52,8 @@ def _declare(call: NativeCall) -> Value:
                 if alone:
                     return failed
                 continue
-            value = initial_value(machine, node, name, default, _hint(machine, type_), ignored)
+            element = _HINTS.get(type_label(machine, type_).removesuffix("_ARRAY"), "")
+            value = initial_value(machine, node, name, default, _hint(machine, type_), ignored, element)
             _keep(machine, node, name, value, default, type_, sure=alone)
             found.append(value)
     return join_all(found) if found else UNBOUND
