@@ -45,7 +45,7 @@ def _with_literals(text: str) -> str:
         if name is None or not found[0].startswith('"') or name in _NO_MACROS or found.start() < position:
             continue
         after = text[found.end("name") : found.end("name") + 1]
-        if after == '"' and name in _PREFIXES or not (found["space"] or name.isupper() and len(name) > 1):
+        if (after == '"' and name in _PREFIXES) or not (found["space"] or (name.isupper() and len(name) > 1)):
             continue
         if _BEFORE.search(text, max(0, found.start() - 20), found.start()):
             continue
