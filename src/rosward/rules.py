@@ -135,9 +135,9 @@ _TABLE: Final = (
     ),
     Rule(
         "RW204",
-        "base class not among the sources",
+        "called from outside the sources",
         _E,
-        "Add its package to the analysis, or describe it in a stub file (--models).",
+        "A library or a loader of plugins that is not among the sources may run this. Add it to the analysis, or describe it in a stub file (--models).",
     ),
     Rule("RW205", "entity in unreachable code", _N, "No entry point reaches this call, so it is not in the result."),
     Rule(

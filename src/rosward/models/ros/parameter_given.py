@@ -13,7 +13,7 @@ from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Tuple
 from rosward.domain.text import readable
-from rosward.domain.unknown import Cause, Origin, Reason
+from rosward.domain.unknown import OUTSIDE, Cause, Origin, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Unknown, Value
 from rosward.models.ros import parameter_table as table
 from rosward.models.ros.effects import mark
@@ -131,7 +131,7 @@ def overrides_of(machine: Machine, node: Value) -> Overrides:
         for label, values in given.items()
     }
     found.update({label: (value, True) for label, value in own.items()})
-    others = ((table.OUTSIDE,) if outside else ()) + (("set by parameter_overrides",) if unknown else ())
+    others = ((OUTSIDE,) if outside else ()) + (("set by parameter_overrides",) if unknown else ())
     return Overrides(found, others)
 
 

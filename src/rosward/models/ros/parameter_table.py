@@ -20,7 +20,7 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of, readable
-from rosward.domain.unknown import COMPARED, Cause, Origin, Reason
+from rosward.domain.unknown import COMPARED, OUTSIDE, Cause, Origin, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
@@ -40,10 +40,6 @@ UNDECLARED: Final = "__undeclared__"
 """Attribute of a node: whether it takes parameters that it never declared."""
 REFUSES: Final = "__refuses__"
 """Attribute of a node: whether something may refuse a new value (a callback, a descriptor)."""
-OUTSIDE: Final = "set from outside"
-"""What the parameters are said to be that nobody here sets, and anybody may set who starts the process."""
-
-
 _EXCEPTIONS: Final = MappingProxyType({PYTHON: "rclpy.exceptions", CPP: "rclcpp.exceptions"})
 """The module or namespace that has the exceptions of the client library, by language."""
 
