@@ -137,7 +137,7 @@ _TABLE: Final = (
         "RW204",
         "called from outside the sources",
         _E,
-        "A library or a loader of plugins that is not among the sources may run this. Add it to the analysis, or describe it in a stub file (--models).",
+        "A library or a loader of plugins that is not among the sources may run this. Add it to the analysis, or describe it (--models).",
     ),
     Rule("RW205", "entity in unreachable code", _N, "No entry point reaches this call, so it is not in the result."),
     Rule(
