@@ -16,7 +16,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
-from rosward.domain.choice import join, join_all, options
+from rosward.domain.choice import join, join_all, options, reasons_of
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of, readable
@@ -201,7 +201,7 @@ def _exclude(machine: Machine, test: Value, asked: Sequence[int], registers: lis
             registers[number] = _without_default(machine, value, label)
     key = Const(label)
     held = [(table, value) for table in _tables(machine) if (value := machine.obj(table).entries.get(key)) is not None]
-    if len(held) == 1 and held[0][1] not in values:
+    if isinstance(test, Const) and len(held) == 1 and held[0][1] not in values:
         left = _without_default(machine, held[0][1], label)
         if left is not held[0][1]:
             _put_entry(machine, held[0][0], key, left)
@@ -214,7 +214,10 @@ def _without_default(machine: Machine, value: Value, label: str) -> Value:
     """A value where the parameter is not what it is by default: what was a text because of that is another one."""
     found = options(value)
     kept = [o for o in found if not (isinstance(o, Const) and isinstance(o.value, str) and _open_parameter(o) == label)]
-    return value if len(kept) == len(found) else join_all((*kept, _another(machine, label)))
+    if len(kept) == len(found):
+        return value
+    told = any(_is_excluded(o) and any(r.subject == label for r in reasons_of(o)) for o in kept)
+    return join_all(kept if told else (*kept, _another(machine, label)))
 
 
 def in_place(machine: Machine, value: Value) -> Value:
