@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.certain import text_of
-from rosward.domain.choice import join_all, options
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Tuple
 from rosward.domain.text import readable
 from rosward.domain.unknown import OUTSIDE, Cause, Origin, Reason
@@ -35,13 +35,11 @@ def type_label(machine: Machine, type_: Value) -> str:
     return text_of(attrs.get("name", attrs.get("_name_")))
 
 
-def initial_value(
-    machine: Machine, node: Value, name: Value, default: Value, hint: str, ignored: Value, element: str = ""
-) -> Value:
+def initial_value(machine: Machine, node: Value, name: Value, default: Value, hint: str, ignored: Value) -> Value:
     """The value of a parameter when it is declared: what the code or the command line sets, else its default.
 
-    Of a process whose command line is known the default holds for sure; otherwise anybody may have set another. A list without elements
-    is joined with another one: of which type, `element` says. `ignored`: whether what is set from outside does not count (ignore_override).
+    Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
+    `ignored`: whether what is set from outside does not count (ignore_override).
     """
     label = text_of(name, readable(name))
     override = override_of(machine, node, label) if ignored != TRUE else None
@@ -55,9 +53,17 @@ def initial_value(
         else mark(machine, option, origin)
         for option in (options(default) if override is None else (override,))
     ]
-    if override is None and not origin.settled and any(_is_empty(machine, value) for value in values):
-        values.append(machine.new_list((), Unknown((Reason(Cause.OTHER, label, machine.place),), element)))
     return join_all([*values, *(Unknown((r,), hint) for r in open_)])
+
+
+def or_another_list(machine: Machine, node: Value, name: Value, value: Value, element: str, ignored: Value) -> Value:
+    """The first value of a parameter; where it is an empty list that anybody may have set, with one of elements of the type `element` beside."""
+    if machine.log.configuration is not None or not any(_is_empty(machine, option) for option in options(value)):
+        return value
+    label = text_of(name, readable(name))
+    if ignored != TRUE and override_of(machine, node, label) is not None:
+        return value
+    return join(value, machine.new_list((), Unknown((Reason(Cause.OTHER, label, machine.place),), element)))
 
 
 def _is_empty(machine: Machine, value: Value) -> bool:

@@ -200,7 +200,7 @@ def _exclude(machine: Machine, test: Value, asked: Sequence[int], registers: lis
         if (value.__class__ is Const or value.__class__ is Choice) and number not in asked:
             registers[number] = _without_default(machine, value, label)
     key = Const(label)
-    held = [(table, value) for table in _tables(machine) if (value := machine.obj(table).entries.get(key)) is not None]
+    held = [(table, found) for table in _tables(machine) if (found := machine.obj(table).entries.get(key)) is not None]
     if isinstance(test, Const) and len(held) == 1 and held[0][1] not in values:
         left = _without_default(machine, held[0][1], label)
         if left is not held[0][1]:
