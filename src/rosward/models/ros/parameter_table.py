@@ -195,12 +195,14 @@ def _exclude(machine: Machine, test: Value, asked: Sequence[int], registers: lis
     label = labels.pop() if len(labels) == 1 else None
     if label is None:
         return
+    key = Const(label)
+    held = [(table, found) for table in _tables(machine) if (found := machine.obj(table).entries.get(key)) is not None]
+    if len(held) > 1:
+        return  # of which node it was read is not known
     values = [registers[number] for number in asked]
     for number, value in enumerate(registers):  # what was read of it, and elements of a list that it is
         if (value.__class__ is Const or value.__class__ is Choice) and number not in asked:
             registers[number] = _without_default(machine, value, label)
-    key = Const(label)
-    held = [(table, found) for table in _tables(machine) if (found := machine.obj(table).entries.get(key)) is not None]
     if isinstance(test, Const) and len(held) == 1 and held[0][1] not in values:
         left = _without_default(machine, held[0][1], label)
         if left is not held[0][1]:
