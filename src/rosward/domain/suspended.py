@@ -60,12 +60,19 @@ class Point(NamedTuple):
         return self._replace(path=tuple(s if s.turn == NO_TURN else s._replace(turn=ANY_TURN) for s in self.path))
 
 
+class Made(NamedTuple):
+    """A call that made a generator: the key of the body, and what its variables held."""
+
+    key: str
+    given: tuple[Value, ...]
+
+
 @final
 class Suspension:
     """A suspended call: each point at which it may stand, with the values that it holds there. `ended`: it may be at its end.
 
     The values are the registers, then `KEPT` ones for each step of a loop over items or a `yield from`, outermost first.
-    `lineage`: the keys of the bodies of the generators in which it was made, and its own. `shared`: it stands for all calls that are nested too deep.
+    `lineage`: the calls of the generators in which it was made, and its own. `shared`: it stands for all calls that are nested too deep.
     """
 
     __slots__ = ("ended", "lineage", "points", "shared")
@@ -75,7 +82,7 @@ class Suspension:
         points: dict[Point, tuple[Value, ...]],
         *,
         ended: bool = False,
-        lineage: tuple[str, ...] = (),
+        lineage: tuple[Made, ...] = (),
         shared: bool = False,
     ) -> None:
         self.points = points
@@ -120,8 +127,8 @@ def add_points(
     result = ours
     for point, values in theirs.items():
         key, new = point, values
-        if key not in ours and (anyway := point.syntactic) in result:
-            key, new = anyway, _any_turn(point, values)
+        if key not in ours and point.syntactic in result:
+            key, new = any_turn(point, values)
         old = result.get(key)
         joined = new if old is None else join_values(old, new, merge)
         if joined is not old:
@@ -160,15 +167,15 @@ def _bounded(points: dict[Point, tuple[Value, ...]], merge: Merge) -> dict[Point
             continue
         values: tuple[Value, ...] | None = None
         for point in sorted(group, key=lambda p: p is not place and p != place):
-            more = _any_turn(point, points[point])
+            more = any_turn(point, points[point])[1]
             values = more if values is None else join_values(values, more, merge)
         assert values is not None
         result[place] = values
     return result
 
 
-def _any_turn(point: Point, values: tuple[Value, ...]) -> tuple[Value, ...]:
-    """The values at a point after any number of turns: of what is ahead, anything may come next, any number of times."""
+def any_turn(point: Point, values: tuple[Value, ...]) -> tuple[Point, tuple[Value, ...]]:
+    """The point after any number of turns, and the values there: of what is ahead, anything may come next, any number of times."""
     found, place = list(values), point.function.code.registers
     for step in point.path:
         if step.part in (EACH, YIELD) and place < len(found):
@@ -176,4 +183,4 @@ def _any_turn(point: Point, values: tuple[Value, ...]) -> tuple[Value, ...]:
                 items = [i for o in options(found[place + 1]) if isinstance(o, Tuple) for i in o.items]
                 found[place + 1 : place + KEPT] = [Tuple(()), join_all([*items, found[place + 2]])]
             place += KEPT
-    return tuple(found)
+    return point.syntactic, tuple(found)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, final
 
 from rosward.domain.memory import SHIFT
 from rosward.domain.values import UNBOUND, Value
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from rosward.domain.state import EventKey, State
     from rosward.engine.catcher import Catcher
     from rosward.engine.nodes_asked import Answered
-    from rosward.engine.precision import Effort
+    from rosward.engine.precision import Effort, Rests
     from rosward.engine.told import Telling, Told
     from rosward.ir.ops import Op
     from rosward.ir.program import OpKey
@@ -77,16 +78,23 @@ class Summary:
         return (tuple(self.registers), self.before.version, self.value, after)
 
 
+class Changes(NamedTuple):
+    """What is otherwise in a state that a call left: the records that it wrote, and what surely happened in it."""
+
+    written: tuple[tuple[int, Obj], ...]
+    done: frozenset[EventKey]
+
+
 @final
 class Call:
     """One call: what it found, and what it left (`recalled.py`)."""
 
     __slots__ = (
-        "added",
         "addresses",
         "anew",
         "around",
         "around_fresh",
+        "around_rests",
         "asked_for",
         "before",
         "begun_anew",
@@ -99,16 +107,18 @@ class Call:
         "heap",
         "importing",
         "left",
+        "left_in",
         "level",
         "nodes",
         "outermost",
+        "over",
         "raised",
         "records",
+        "rests",
         "settled",
         "stands",
         "told",
         "value",
-        "written",
     )
 
     def __init__(self, state: State, around: tuple[object, ...], before: tuple[object, ...], effort: Effort) -> None:
@@ -126,7 +136,7 @@ class Call:
         self.value: Value = UNBOUND
         self.level = 0  # what Python may raise in it
         self.importing = False  # an import in it may fail
-        self.left: tuple[Value, ...] = ()  # of a loop: what stands in the registers that it writes,
+        self.left: tuple[Value, ...] = ()  # of a step: the value of StopIteration; of a loop: what stands in the registers that it writes,
         self.stands: tuple[Op, int]  # and the operation that ran last, with what that made
         self.asked_for: frozenset[int] = frozenset()
         self.nodes: Answered = ()  # which nodes it asked for
@@ -137,10 +147,12 @@ class Call:
             int, Obj | None
         ] = {}  # variables of calls within that it made, whatever stood there; and what did
         self.around_fresh: set[int] = set()  # those of what runs around, until it ends
+        self.rests: Rests = {}  # where loops came to rest in it
+        self.around_rests: Rests = {}  # those of what runs around, until it ends
         self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
         self.records: tuple[Obj | None, ...] = ()  # what stood there
-        self.written: tuple[tuple[int, Obj], ...] = ()
-        self.added: frozenset[EventKey] = frozenset()  # what surely happened in it
+        self.left_in: Changes  # the state behind it,
+        self.over: Changes | None = None  # and that in which a step of a generator is at its end instead
 
 
 @final
