@@ -47,6 +47,7 @@ def begun(machine: Engine) -> Call:
     call.begun_nodes = len(machine.log.nodes)
     call.around_fresh, machine.summaries.fresh = machine.summaries.fresh, set()
     call.around_rests, machine.precision.rests = machine.precision.rests, {}
+    call.around_used, machine.summaries.used = machine.summaries.used, {}
     catcher = call.catcher = machine.catchers[-1] if machine.catchers else None
     told = machine.summaries.told if catcher is None else catcher.told
     if told is not None:
@@ -76,6 +77,8 @@ def closed(machine: Engine, call: Call) -> None:
     machine.summaries.fresh = call.around_fresh
     within, machine.precision.rests = machine.precision.rests, call.around_rests
     machine.precision.note_rests(within)
+    call.around_used.update(machine.summaries.used)
+    machine.summaries.used = call.around_used
     if not call.outermost:
         return
     if catcher is None:
@@ -117,7 +120,7 @@ def ended(machine: Engine, place: object, key: str, call: Call, over: State | No
     if call.over is not None:
         changed.update(address for address, _ in call.over.written)
     call.fresh = {a: heap.get(a) for a in changed & summaries.fresh - call.asked_for - call.anew}
-    call.rests = machine.precision.rests
+    call.rests, call.used = machine.precision.rests, summaries.used
     begun_with = [a for before, _ in call.rests.values() if before is not None for a, _ in before.objects]
     call.addresses = tuple(call.asked_for.union(changed - call.fresh.keys(), call.anew, begun_with))
     call.records = tuple(map(heap.get, call.addresses))
@@ -137,12 +140,19 @@ def known(machine: Engine, place: object) -> Call | None:
             and call.done <= state.done
             and call.around == _around(machine)
             and machine.precision.begins_as(call.rests)
+            and _still_stand(machine, call)
             and nodes_asked.still_holds(machine.log, call.nodes)
             and call.anew.issuperset(machine.unheld.intersection(call.addresses))
             and call.anew <= machine.unheld
         ):
             return call
     return None
+
+
+def _still_stand(machine: Engine, call: Call) -> bool:
+    """Whether the summaries at which a call looked are what they were."""
+    finished = machine.summaries.finished
+    return all(finished.get(key) is one and one.edition == edition for key, (one, edition) in call.used.items())
 
 
 def repeated(machine: Engine, key: str, call: Call) -> Value:
@@ -162,6 +172,7 @@ def repeated(machine: Engine, key: str, call: Call) -> Value:
     machine.asked_for |= call.asked_for
     machine.precision.repeat(call.effort)
     machine.precision.rest_again(call.rests)
+    machine.summaries.used.update(call.used)
     if machine.catchers:
         machine.noted = max(machine.noted, call.level)
         if call.importing:
@@ -239,6 +250,7 @@ def _before(machine: Engine) -> tuple[object, ...]:
     return (
         summaries.provisional,
         summaries.asked,
+        summaries.open,
         len(machine.log.ends) - summaries.uncaught,
         machine.schedule_book.spins,
         machine.schedule_book.asked,

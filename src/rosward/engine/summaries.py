@@ -35,6 +35,7 @@ class Summary:
         "before",
         "begun",
         "catcher",
+        "edition",
         "joined",
         "pages",
         "provisional",
@@ -55,6 +56,7 @@ class Summary:
         self.begun = before.done  # what had surely happened before its body ran last
         self.whole = False  # who calls sees all of the states behind, not only what the body changed
         self.provisional = False  # it was made of another summary that was unfinished then
+        self.edition = 0  # how often its body began to run for more calls than before
         self.turn = -1  # the turn of the outermost summary in which it was made last
         self.pages: tuple[int, dict[int, list[int]]] = 0, {}  # how many addresses were asked for, and these by page
 
@@ -78,6 +80,10 @@ class Summary:
         return (tuple(self.registers), self.before.version, self.value, after)
 
 
+Used = dict[object, tuple[Summary, int]]
+"""Summaries by what they are of, each with its edition."""
+
+
 class Changes(NamedTuple):
     """What is otherwise in a state that a call left: the records that it wrote, and what surely happened in it."""
 
@@ -95,6 +101,7 @@ class Call:
         "around",
         "around_fresh",
         "around_rests",
+        "around_used",
         "asked_for",
         "before",
         "begun_anew",
@@ -118,6 +125,7 @@ class Call:
         "settled",
         "stands",
         "told",
+        "used",
         "value",
     )
 
@@ -149,6 +157,8 @@ class Call:
         self.around_fresh: set[int] = set()  # those of what runs around, until it ends
         self.rests: Rests = {}  # where loops came to rest in it
         self.around_rests: Rests = {}  # those of what runs around, until it ends
+        self.used: Used = {}  # the finished summaries at which it looked
+        self.around_used: Used = {}  # those of what runs around, until it ends
         self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
         self.records: tuple[Obj | None, ...] = ()  # what stood there
         self.left_in: Changes  # the state behind it,
@@ -170,6 +180,7 @@ class Summaries:
         "large",
         "loops",
         "memo",
+        "open",
         "provisional",
         "recursive",
         "running",
@@ -177,6 +188,7 @@ class Summaries:
         "told",
         "turns",
         "uncaught",
+        "used",
         "vain",
     )
 
@@ -195,6 +207,8 @@ class Summaries:
         self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
         self.loops: dict[OpKey, tuple[tuple[int, ...], tuple[int, ...]] | None] = {}  # which registers loops use
         self.asked = 0  # how often a call looked at more than records: at a summary, a generator that runs, a frame
+        self.open = 0  # how often at a summary of a recursion that is still being solved
+        self.used: Used = {}  # the finished summaries at which the call that is to be remembered looked
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one
         self.told: list[Telling | None] | None = (
