@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Steps of generators that are not followed again, and generators inside one another without end: the result is that of following them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from random import Random
+from typing import Final
+
+import pytest
+from compiled import interpreted
+
+import rosward
+from rosward.engine import recalled
+from rosward.engine.budget import Budget
+from rosward.outputs.documents.network_json import network_json
+
+from .recalling import noted_recalls
+
+_HEAD: Final = """
+import itertools
+import random
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class N(Node):
+    def __init__(self):
+        super().__init__("n")
+        self.a, self.b, self.c = "a", ["x", "y"], 0
+        self.kept = self.g0("k")
+        self.create_timer(1.0, self.tick)
+        self.create_subscription(String, "in", self.hear, 10)
+
+    def make(self, name):
+        self.create_publisher(String, name, 10)
+        return name
+"""
+_TAIL: Final = """
+rclpy.init()
+rclpy.spin(N())
+"""
+_VALUES: Final = ("self.a", "self.b[0]", "v", "v + 'z'", "self.make(v)", "next(self.kept, 'over')")
+_PLAIN: Final = ("self.a = {value}", "self.c += 1", "self.b.append({value})", "self.b = [{value}]", "v = {value}", "self.make({value})")
+_AROUND: Final = (
+    "if random.random() > 0.5:\n{inner}",
+    "for v in self.b:\n{inner}",
+    "for v in self.g{n}(v):\n{inner}",
+    "for v in itertools.chain(self.b, self.g{n}(v)):\n{inner}",
+    "self.kept = self.g{n}({value})\nfor v in self.kept:\n{inner}",
+    "try:\n{inner}\nfinally:\n    self.make(self.a)",
+)
+_YIELDING: Final = ("yield {value}", "yield from self.g{n}({value})", "if random.random() > 0.5:\n    return {value}", "v = yield {value}")
+
+
+def _block(random: Random, known: range, depth: int, plain: tuple[str, ...]) -> str:
+    return "\n".join(_statement(random, known, depth, plain) for _ in range(random.randint(1, 3)))
+
+
+def _statement(random: Random, known: range, depth: int, plain: tuple[str, ...]) -> str:
+    chosen = random.choice(plain + _AROUND if depth else plain)
+    if "{inner}" in chosen:
+        chosen = chosen.replace("{inner}", _indented(_block(random, known, depth - 1, plain), 1))
+    for _ in range(chosen.count("{value}")):
+        chosen = chosen.replace("{value}", random.choice(_VALUES), 1)
+    return chosen.replace("{n}", str(random.choice(known)))
+
+
+def _indented(text: str, depth: int) -> str:
+    return "\n".join("    " * depth + line for line in text.splitlines())
+
+
+def _program(seed: int) -> str:
+    """A node whose callbacks advance generators, which advance those before them; the first one advances itself."""
+    random = Random(seed)
+    parts = [_HEAD]
+    for number in range(3):
+        body = f"{_block(random, range(max(number, 1)), 1, _PLAIN + _YIELDING)}\nyield {random.choice(_VALUES)}"
+        parts.append(f"    def g{number}(self, v):\n{_indented(body, 2)}\n")
+    for name, start in (("tick", ""), ("hear", "v = v.data\n")):
+        parts.append(f"    def {name}(self, v='t'):\n{_indented(start + _block(random, range(3), 2, _PLAIN), 2)}\n")
+    return "\n".join(parts) + _TAIL
+
+
+def _told(folder: Path, budget: Budget | None = None) -> str:
+    return network_json(rosward.extract(folder, budget=budget).network)
+
+
+_LITTLE: Final = Budget(steps=30_000, entry_steps=30_000, callback_steps=60_000, entry_coarse=150, loop_steps=150)
+"""With it, precision is given up soon."""
+
+
+@pytest.mark.parametrize("budget", [Budget(), _LITTLE], ids=["usual", "little"])
+@pytest.mark.parametrize("seed", range(16))
+def test_the_result_is_that_of_following_all(
+    seed: int, budget: Budget, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "main.py").write_text(_program(seed), encoding="utf-8")
+    found = _told(tmp_path, budget)
+    monkeypatch.setattr(recalled, "place_of", lambda *_: None)
+    assert found == _told(tmp_path, budget)
