@@ -221,12 +221,12 @@ def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
 
 def _through(walker: Walker, target: Mark, seen: Seen) -> Mark:
     """Where an assignment writes: to what a `std::reference_wrapper` refers to, where that is what was seen written."""
-    mine = {slot_of(r)[0] for r in slots(target)}
-    if not mine or not seen.wrote or mine & seen.wrote:
+    mine = {slot_of(r)[0] if is_slot(r) else r for r in target.roots}
+    others = seen.wrote - set(seen.made)
+    if not others or mine & others or seen.bound or not slots(target) or any(isinstance(r, int) for r in target.roots):
         return target
-    held = value(walker, target)
-    behind = frozenset(r for r in slots(held) if slot_of(r)[0] in seen.wrote)
-    return Mark(target.mask | held.mask, behind) if behind else target
+    mask = target.mask | value(walker, target).mask
+    return Mark(mask, nameless(target) | frozenset(("slot", each, None, "any") for each in others))
 
 
 def _step(walker: Walker, op: cpp.Step, body: Body, seen: Seen) -> None:
