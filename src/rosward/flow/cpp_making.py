@@ -22,6 +22,7 @@ from rosward.flow.cpp_values import (
     copies,
     elements,
     field,
+    handed,
     in_braces,
     keys,
     nameless,
@@ -121,7 +122,7 @@ def _braced(
 
 def _give_part(walker: Walker, seen: Seen, owner: int, key: object, mark: Mark, held: Value) -> None:
     """The first value of a field or element: an object by value is another one."""
-    found = copied(value(walker, mark), seen)
+    found = copied(handed(walker, mark), seen)
     if held.__class__ is Ref:
         inner = next(iter(refs_of(held)))
         if inner not in found.roots and inner not in sources(seen).values() and inner not in _built(seen):

@@ -222,6 +222,13 @@ def in_braces(walker: Walker, mark: Mark) -> Content | None:
     return found if found.slots and mark.roots - {roots[0]} <= led else None
 
 
+def handed(walker: Walker, mark: Mark) -> Mark:
+    """What is given for a part of an object: a value, or a pair of braces."""
+    if in_braces(walker, mark) is None:
+        return value(walker, mark)
+    return Mark(mark.mask, frozenset(r for r in nameless(mark) if r[0] == "tuple"))  # type: ignore[index]  # it is a tuple
+
+
 def take_braces(walker: Walker, target: int, braces: Content, *, sure: bool, depth: int = 0) -> None:
     """`line = {start, {1, 2}}`: the parts of an object in their order; those that are objects stay where they are."""
     memory, parts = walker.memory, parts_of(walker, target)
@@ -233,7 +240,7 @@ def take_braces(walker: Walker, target: int, braces: Content, *, sure: bool, dep
         found = braces.slots.get(key, braces.slots.get(number))
         if found is None:
             continue
-        mark = value(walker, found.under(braces.base))
+        mark = handed(walker, found.under(braces.base))
         if held.__class__ is Ref:
             for inner in refs_of(held):
                 assign(walker, inner, mark, sure=sure, depth=depth + 1)
