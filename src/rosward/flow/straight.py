@@ -176,12 +176,22 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         roots.add(of_library(f"{named[1]}.{name}") if named[0] == "external" else part_of(named, name))
     if given is not None:
         mask, roots = mask | given.mask, roots | leads(seen, given)
+        _kept(walker, owner, op.name, given.under(body.pc))
     if not known:
         mask |= arising(walker, seen, read=True)  # what was written here, is known
     if walker.narrowed:  # of the one parameter, what its value leads to is of no interest
         whole = memory.deep(Mark(mask, opaque(Mark(0, frozenset(roots)))))
         mask, roots = narrowed(walker, whole), {r for r in roots if isinstance(r, int)} if whole != mask else roots
     body.registers[op.dst] = memory.told(Mark(mask, frozenset(roots) | external(walker, seen)))
+
+
+def _kept(walker: Walker, owner: Mark, name: str, given: Mark) -> None:
+    """What a `cached_property` gives stands in the object from then on."""
+    for root in owner.roots:
+        record = walker.shape.record(root) if isinstance(root, int) else None
+        if record is not None and record.kind == "instance" and name in record.attrs:
+            old = walker.memory.part(root, name).read(name)
+            walker.memory.set_attribute(frozenset((root,)), name, old.joined(given))
 
 
 def _compare(walker: Walker, op: ops.Compare, body: Body, seen: Seen) -> None:
