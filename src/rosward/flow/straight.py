@@ -119,8 +119,8 @@ def external(_walker: Walker, seen: Seen) -> frozenset[Root]:
 
 
 def _of_base(seen: Seen) -> bool:
-    """Whether an attribute is one of a base class that is not known."""
-    return not seen.refs and any(reason.cause is not Cause.MESSAGE for reason in seen.reasons)
+    """Whether an attribute is one of a base class that is not known, or an array of a message, to which somebody may write."""
+    return not seen.refs and (seen.opaque or any(reason.cause is not Cause.MESSAGE for reason in seen.reasons))
 
 
 def _of_model(walker: Walker, op: ops.LoadAttr, body: Body, root: int) -> Mark:
