@@ -196,7 +196,7 @@ def _all_elements(call: NativeCall) -> Mark:
     for mark in call.marks:
         found = found.joined(elements(call.walker, mark))
         size |= mark.mask | memory.size(mark.roots)
-    if call.name in _CHOOSING:
+    if call.name.removeprefix("builtins.") in _CHOOSING:
         size |= memory.deep(found)
     pairs = _PAIRS.get(call.name.rpartition(".")[2])
     if pairs is not None:
