@@ -75,7 +75,9 @@ def _led(machine: Engine, value: Value, name: str) -> tuple[Value, ...]:
     several = options(value)
     if name == "get" or not any(map(is_reference, several)):
         return several
-    return tuple(o for held in several for o in (options(read(machine, held.arguments[0])) if is_reference(held) else (held,)))
+    return tuple(
+        o for held in several for o in (options(read(machine, held.arguments[0])) if is_reference(held) else (held,))
+    )
 
 
 def _seen(machine: Engine, value: Value, name: str, declared: Callable[[], Value]) -> Info | None:

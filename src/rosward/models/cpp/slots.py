@@ -26,7 +26,17 @@ from rosward.models.python.operators import items as python_items
 from rosward.models.python.plain import int_of, text_of, unknown_from
 from rosward.models.ros import message_fields
 
-__all__ = ["is_structure", "key_of", "key_value", "new_pair", "plain_number", "read", "read_field", "referred_to", "unfolded"]
+__all__ = [
+    "is_structure",
+    "key_of",
+    "key_value",
+    "new_pair",
+    "plain_number",
+    "read",
+    "read_field",
+    "referred_to",
+    "unfolded",
+]
 
 _VALUE: Final = "value"
 _DEEPEST: Final = 12
@@ -76,7 +86,7 @@ def referred_to(machine: Machine, slot: Slot) -> Value | None:
     if base.__class__ is not Ref:
         return None
     obj, held = machine.obj(base), None
-    if kind == "cell" or kind == "field":
+    if kind in ("cell", "field"):
         held = obj.attrs.get(_VALUE if kind == "cell" else key)
     elif obj.kind == "list" and isinstance(key, Value):
         number = int_of(key)
