@@ -253,7 +253,9 @@ def parts_of(walker: Walker, address: int) -> dict[object, Value]:
     record = walker.shape.record(address)
     if record is None or record.kind not in ("instance", "list"):
         return {}
-    return dict(record.attrs) if record.kind == "instance" else dict(enumerate(record.series().head))
+    if record.kind == "list":
+        return dict(enumerate(record.series().head))
+    return {name: held for name, held in record.attrs.items()}  # noqa: C416 - its keys are wider
 
 
 def consists_of(walker: Walker, address: int, depth: int = 0) -> list[Root]:

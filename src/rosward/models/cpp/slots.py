@@ -87,7 +87,7 @@ def referred_to(machine: Machine, slot: Slot) -> Value | None:
         return None
     obj, held = machine.obj(base), None
     if kind in ("cell", "field"):
-        held = obj.attrs.get(_VALUE if kind == "cell" else key)
+        held = obj.attrs.get(_VALUE if kind == "cell" else str(key))
     elif obj.kind == "list" and isinstance(key, Value):
         number = int_of(key)
         held = obj.series().element() if number is None else obj.series().at(number)
