@@ -28,10 +28,10 @@ E, W, N = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
 CLAIMS: Final = {
     **dict.fromkeys(("RW001", "RW002", "RW003", "RW005", "RW006", "RW008", "RW012", "RW016", "RW018", "RW019"), (M, E)),
-    **dict.fromkeys(("RW004", "RW014", "RW015"), (L, W)),
+    **dict.fromkeys(("RW004", "RW007", "RW014", "RW015", "RW020"), (L, W)),
     "RW017": (F, W),  # the folder is read whatever its package.xml says
     "RW009": (F, W),  # the package is there and the module is not: the executable does not start
-    **dict.fromkeys(("RW007", "RW010", "RW011", "RW013"), (K, N)),  # what is excluded somebody asked for
+    **dict.fromkeys(("RW010", "RW011", "RW013"), (K, N)),  # what is excluded somebody asked for
     **dict.fromkeys(("RW101", "RW105", "RW106"), (M, E)),
     **dict.fromkeys(("RW102", "RW104"), (L, W)),
     "RW103": (F, E),

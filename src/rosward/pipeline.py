@@ -15,6 +15,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.analysis.deep_stack import with_deep_stack
+from rosward.analysis.nothing_found import nothing_found
 from rosward.analysis.read import (
     EVERYTHING,
     NothingToReadError,
@@ -231,7 +232,7 @@ def _extract(
     read.sources.keep(read.library.facts)
     read.library.given_back()
     return Result(
-        _network(read, gathered, findings, unknown, wanted),
+        _network(read, gathered, findings, unknown, wanted, deploys=request.deploys),
         workspace.root,
         files,
         systems,
@@ -242,7 +243,13 @@ def _extract(
 
 
 def _network(
-    read: SourcesRead, gathered: Gathered, findings: Findings, unknown: UnknownNames, wanted: _Enclaves
+    read: SourcesRead,
+    gathered: Gathered,
+    findings: Findings,
+    unknown: UnknownNames,
+    wanted: _Enclaves,
+    *,
+    deploys: bool,
 ) -> Network:
     steps = Steps(net=read.budget.net)
     named = labelled(gathered.nodes)
@@ -258,7 +265,7 @@ def _network(
     )
     findings.update((*conflicts, *too_large))
     if not nodes:
-        findings.add(Finding("RW007", "No node was found.", Place("", 0)))
+        findings.add(Finding("RW007", "No node was found.", Place("", 0)) if deploys else nothing_found(read))
     counts = _ReadCounts(
         read.sources.files_read, read.sources.lines_read, len({n.process for n in nodes if not n.assumed})
     )

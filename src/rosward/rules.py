@@ -21,7 +21,7 @@ _TABLE: Final = (
     Rule("RW004", "text encoding", _W, "Declare the encoding (PEP 263) or save the file as UTF-8."),
     Rule("RW005", "nesting too deep", _E, "Simplify the expression. The file was not analysed."),
     Rule("RW006", "Python 2 source", _E, "Port the file to Python 3 or exclude it. Its content is not in the result."),
-    Rule("RW007", "no ROS 2 code found", _N, "Pass a workspace, a package or a file that uses rclpy."),
+    Rule("RW007", "no ROS 2 code found", _W, "The result is empty."),
     Rule(
         "RW008",
         "unreadable package description",
@@ -84,6 +84,7 @@ _TABLE: Final = (
         _E,
         "Add the source of the class or of the function main to the analysis. What the program creates is missing.",
     ),
+    Rule("RW020", "package for ROS 1", _W, "rosward reads ROS 2: what runs under ROS 1 is not in the result."),
     # Names and types
     Rule("RW101", "unknown name", _E, "Give the missing value a default in the source."),
     Rule("RW102", "partially known name", _W, "Supply the missing part, or accept the wildcard in the policy."),
@@ -134,9 +135,9 @@ _TABLE: Final = (
     ),
     Rule(
         "RW204",
-        "base class not among the sources",
+        "called from outside the sources",
         _E,
-        "Add its package to the analysis, or describe it in a stub file (--models).",
+        "A library or a loader of plugins that is not among the sources may run this. Add it to the analysis, or describe it (--models).",
     ),
     Rule("RW205", "entity in unreachable code", _N, "No entry point reaches this call, so it is not in the result."),
     Rule(

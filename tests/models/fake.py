@@ -21,7 +21,7 @@ from rosward.models.python.builtins import functions as builtin_functions
 from rosward.models.python.builtins import sequences as builtin_sequences
 from rosward.models.python.builtins import specials as builtin_specials
 from rosward.models.python.builtins.constructors import type_of
-from rosward.models.python.containers import dicts
+from rosward.models.python.containers import dicts, views
 from rosward.models.python.containers import lists as containers_list
 from rosward.models.python.containers import sets as containers_set
 from rosward.models.python.operators import operators
@@ -36,6 +36,7 @@ NATIVES: dict[str, NativeFunction] = {
     **builtin_sequences.NATIVES,
     **builtin_specials.NATIVES,
     **dicts.NATIVES,
+    **views.NATIVES,
     **containers_list.NATIVES,
     **containers_set.NATIVES,
     **std_files.NATIVES,

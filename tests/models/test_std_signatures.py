@@ -16,7 +16,7 @@ import pytest
 import rosward.domain
 
 STUBS: Final = Path(rosward.domain.__file__).parent.parent / "models" / "stubs"
-_MODULES: Final = """abc argparse asyncio atexit collections concurrent.futures configparser contextlib csv functools gc
+_MODULES: Final = """abc argparse asyncio atexit collections concurrent.futures configparser contextlib csv curses functools gc
     getopt inspect itertools json logging math multiprocessing operator optparse os pathlib pickle pprint queue re sched
     signal string subprocess sys termios threading traceback tty types typing warnings weakref yaml"""
 

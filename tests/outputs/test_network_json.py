@@ -86,10 +86,10 @@ def test_everything_is_sorted() -> None:
 
 def test_diagnostics_have_the_severity_of_their_rule() -> None:
     partly = Finding("RW102", "b", Place("b.py", 2, 3), ("launch argument: ns",), ("/a",))
-    network = connect("jazzy", [], [partly, Finding("RW007", "a", Place("a.py"))])
+    network = connect("jazzy", [], [partly, Finding("RW013", "a", Place("a.py"))])
     assert document(network)["diagnostics"] == [
         {
-            "code": "RW007",
+            "code": "RW013",
             "severity": "note",
             "message": "a",
             "file": "a.py",

@@ -70,7 +70,7 @@ def test_what_has_no_file_is_a_notification_of_the_run() -> None:
     assert run["results"] == []
     (notification,) = run["invocations"][0]["toolExecutionNotifications"]
     assert notification == {
-        "level": "note",
+        "level": "warning",
         "message": {"text": "No node was found."},
         "descriptor": {"id": "RW007"},
     }

@@ -22,6 +22,7 @@ from rosward.effects.shell import ORIGIN, Shell
 from rosward.effects.variables import Variables, listed
 from rosward.findings import Finding
 from rosward.records import NamedTuple
+from rosward.ros.entities import Node
 
 __all__ = ["Executed", "in_each_case"]
 
@@ -35,12 +36,16 @@ _OTHER: Final = None
 
 
 class Executed(NamedTuple):
-    """What one execution of a launch file gave; `unread`: arguments that nobody asked for; `known`: the names that somebody did."""
+    """What one execution of a launch file gave; `unread`: arguments that nobody asked for; `known`: the names that somebody did.
+
+    `nodes` are those that launch files in Python make themselves.
+    """
 
     started: tuple[Started, ...]
     findings: tuple[Finding, ...]
     unread: tuple[str, ...]
     known: frozenset[str] = frozenset()
+    nodes: tuple[Node, ...] = ()
 
 
 Execute = Callable[[Shell, Variables], Executed]
@@ -84,6 +89,7 @@ def in_each_case(execute: Execute, shell: Shell, asked: Variables) -> Executed:
         tuple(_findings(results)),
         tuple(name for name in whole.unread if all(name in r.executed.unread for r in results)),
         whole.known.union(*(r.executed.known for r in results)),
+        whole.nodes,
     )
 
 

@@ -182,6 +182,8 @@ def _of_systems(
             findings.update(made.findings)
             processes.setdefault(program.process, []).extend(made.nodes)
             packages.add(program.package or "")
+        for own in system.own:
+            processes.setdefault(own.process, []).append(own)
         for label, members in processes.items():
             nodes += known.distinct(label, members)
     findings.update(_of_packages(sources, outset.workspace, packages))

@@ -33,6 +33,7 @@ from rosward.deployment.started import Started, StartKind
 from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
+from rosward.effects.log import EffectLog
 from rosward.effects.shell import Shell
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget
@@ -40,9 +41,11 @@ from rosward.engine.library import Library
 from rosward.findings import Finding, Findings
 from rosward.guard import Steps, guarded
 from rosward.models.file_paths import Location, path_of
+from rosward.naming.collect import Process, collect
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.records import NamedTuple
 from rosward.ros.distro import Distro
+from rosward.ros.entities import Node
 from rosward.rules import UNREAD_ARGUMENT
 from rosward.source.location import Place
 from rosward.source.workspace import SourceFile, Workspace
@@ -51,7 +54,8 @@ from rosward.source.workspace import SourceFile, Workspace
 class System(NamedTuple):
     """What one launch file starts, or the nodes that the user named: records of launch, and the program behind each.
 
-    `elsewhere`: those of its components that a container of another system loads, whose programs they are.
+    `elsewhere`: those of its components that a container of another system loads, whose programs they are. `own`: the nodes that the launch
+    file makes itself, in the process of launch.
     """
 
     name: str
@@ -59,6 +63,7 @@ class System(NamedTuple):
     started: tuple[Started, ...]
     programs: tuple[Launched, ...]
     elsewhere: tuple[Launched, ...] = ()
+    own: tuple[Node, ...] = ()
 
     def tree(self, steps: Steps) -> LaunchSystem:
         """In plain words."""
@@ -147,7 +152,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
         if isinstance(system, Finding):
             findings.add(system)
             system = System(str(launch), file, tuple(started), ())
-        found.append(system)
+        found.append(system._replace(own=ran.nodes))
     own = {name for launch in request.launches for name, _ in launch.arguments}
     for name, files in unread.items():
         if name in own or len(files) == len(found):  # what is given to all files is for those that know it
@@ -247,9 +252,23 @@ def _execute(file: str, arguments: dict[str, str], outset: Outset, asked: Variab
             variables=variables,
             net=outset.budget.net,
         )
-        return Executed(execution.run(file, path), execution.findings, execution.unread, execution.known)
+        started = execution.run(file, path)
+        nodes, doubts = _own_nodes(file, python.log, outset)
+        return Executed(started, (*execution.findings, *doubts), execution.unread, execution.known, nodes)
 
     return in_each_case(execute, outset.library.environment, asked)
+
+
+def _own_nodes(file: str, log: EffectLog, outset: Outset) -> tuple[tuple[Node, ...], list[Finding]]:
+    """The nodes that launch files make themselves. How long they live nobody knows: often only while launch waits for something."""
+    if not log.nodes:
+        return (), []
+    owner = next((f.package for f in outset.workspace.launch_files if f.relative == file), None)
+    process = Process(
+        owner.name if owner is not None else None, None, f"ros2 launch {file}", frozenset(), conditional=True
+    )
+    nodes, doubts = collect(log, process, outset.distro)
+    return tuple(nodes), doubts
 
 
 def _programs(outset: Outset) -> Programs:

@@ -63,6 +63,8 @@ class Reason(NamedTuple):
         return f"{text} ({self.place})" if self.place.file else text
 
 
+OUTSIDE: Final = "any that is set from outside"
+"""What the parameters are said to be that nobody here sets, and anybody may set who starts the process."""
 INSTEAD: Final = frozenset((Cause.OTHER, Cause.SET))
 """What somebody gives where the program itself has a value otherwise: beside that, it is one instance of many."""
 TAKEN_FOR_NOTHING: Final = INSTEAD | {Cause.ARGUMENT}

@@ -41,12 +41,12 @@ def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     frame.uncertain += 1
     try:
         if test.__class__ in _TELLING:
-            parameter_table.tell(machine, test, _asked(op.then, frame), sense=True)
+            parameter_table.tell(machine, test, _asked(op.then), frame.registers, sense=True)
         first = machine.run(op.then, frame)
         after = Snapshot(frame.registers, machine.state) if first else None
         machine.resume(frame, before)
         if test.__class__ in _TELLING:
-            parameter_table.tell(machine, test, _asked(op.orelse, frame), sense=False)
+            parameter_table.tell(machine, test, _asked(op.orelse), frame.registers, sense=False)
         second = machine.run(op.orelse, frame)
     finally:
         frame.uncertain -= 1
@@ -58,9 +58,9 @@ def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     return None if second else False
 
 
-def _asked(block: ops.Block, frame: Frame) -> list[Value]:
-    """The values of which the test of a branch says something."""
-    return [frame.registers[op.src] for op in block if op.__class__ is ops.Assume]
+def _asked(block: ops.Block) -> list[int]:
+    """The registers of which the test of a branch says something."""
+    return [op.src for op in block if op.__class__ is ops.Assume]
 
 
 def leave(machine: Engine, op: ops.Return, frame: Frame) -> bool:
@@ -157,7 +157,9 @@ def loop(
         frame.op, frame.sequence = op, 0  # which asks, not the last operation of its condition
         decided = machine.language.truth(machine, test)
         ways = _named_ways(test) if decided is None and op.counted else frozenset()
-        if ways:  # defaults and alternatives say how many turns there are
+        if True in ways or (
+            ways and number
+        ):  # defaults and alternatives say how many turns there are: none only of themselves
             if len(ways) > 1:
                 frame.exits.broken = join_into(machine, frame.exits.broken, machine.snapshot(frame))
             decided = True in ways

@@ -108,9 +108,12 @@ def _alone(machine: Engine) -> Iterator[None]:
 
 
 def _context(machine: Engine, callback: Value, event: str) -> int:
-    """The context in which a callback runs: its own, unless a callback registers it: then there must be finitely many."""
+    """The context in which a callback runs: its own, unless a callback registers it: then there must be finitely many.
+
+    So must there be where Python calls a method of each object: it may make another one (`__copy__`).
+    """
     book = machine.schedule_book
-    if not book.running:
+    if not book.running and event != BY_PYTHON:
         return machine.context("callback", len(book.entries))
     while callback.__class__ in (BoundMethod, Partial):
         callback = callback.function

@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Choice, Function, Ref
+from rosward.domain.values import UNBOUND, Choice, Const, Function, Ref
 from rosward.engine import control, narrowing
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
@@ -38,6 +38,8 @@ def _load_cell(machine: Engine, op: ops.LoadCell, frame: Frame) -> None:
     if found is UNBOUND:
         frame.op, frame.sequence = op, 0
         found = machine.unknown(Cause.ERROR, "variable without a value")
+    elif found.__class__ is Const and found.origins:
+        found = parameter_table.in_place(machine, found)
     frame.registers[op.dst] = found
 
 
@@ -51,6 +53,8 @@ def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool | None:
     if op.name in machine.library.creating:
         machine.trace.reached.add((frame.code.key, op.number))
     value = machine.language.load_attr(machine, frame.registers[op.obj], op.name)
+    if value.__class__ is Const and value.origins:
+        value = parameter_table.in_place(machine, value)
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import reasons_of
-from rosward.domain.unknown import Cause, Reason, causes_of
+from rosward.domain.unknown import OUTSIDE, Cause, Reason, causes_of
 from rosward.domain.values import Value
 from rosward.findings import Finding
 from rosward.holes import with_stars
@@ -31,9 +31,15 @@ _REMEDY: Final = {
 def _doubt(code: str, what: str, reasons: tuple[Reason, ...], place: Place) -> Finding:
     """What is not known, because of what, and the one thing that settles it."""
     because = " because of " + "; ".join(str(r) for r in reasons[:3]) if reasons else ""
-    remedy = next((_REMEDY[r.cause].format(r.subject) for r in reasons if r.cause in _REMEDY), "")
+    remedy = next((_remedy(r) for r in reasons if r.cause in _REMEDY), "")
     message = f"{what}{because}: {remedy}" if remedy else f"{what}{because}"
     return Finding(code, message, place, causes_of(reasons, place), remedy=remedy)
+
+
+def _remedy(reason: Reason) -> str:
+    if reason.cause is Cause.PARAMETER and reason.subject == OUTSIDE:
+        return "tell what your system sets (--launch, --params)"
+    return _REMEDY[reason.cause].format(reason.subject)
 
 
 def unknown_name(kind: str, entity: Entity, option: NameOption, place: Place) -> Finding:

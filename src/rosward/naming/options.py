@@ -51,19 +51,18 @@ def name_options(value: Value) -> list[NameOption]:
         several = tuple(o for o in several if not (isinstance(o, Const) and o.value is None)) or several
     found = [_name(option) for option in several]
     others = [name for name in found if name.reasons and all(r.cause in INSTEAD for r in name.reasons)]
-    if len(others) == len(found):
-        return found
+    known = made_of_something([name for name in found if name not in others], or_else=others)
     settable = {d for name in others for d in name.depends_on}
-    return [_as_default(name, settable) for name in found if name not in others]
+    return known if known == others else [_as_default(name, settable) for name in known]
 
 
-def made_of_something(names: list[NameOption]) -> list[NameOption]:
+def made_of_something(names: list[NameOption], or_else: list[NameOption] | None = None) -> list[NameOption]:
     """Of several names those that are made of something: a text that has not been written yet is none, and the call fails with it.
 
     An empty default of a parameter stays: there the call does fail.
     """
     made = [name for name in names if name.depends_on or not (name.text in ("", "/") or name.text.startswith("//"))]
-    return made or names
+    return made or or_else or names
 
 
 def _as_default(name: NameOption, depends_on: Iterable[str]) -> NameOption:

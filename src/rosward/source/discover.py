@@ -28,6 +28,7 @@ from rosward.source.imports import ImportResolver
 from rosward.source.layout import Layout
 from rosward.source.left_out import left_out, named_few
 from rosward.source.location import Place
+from rosward.source.ros_1 import of_ros_1
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import place_name, read_bytes
 from rosward.source.walk import CPP_SOURCES, DESCRIPTIONS, Tree, walk
@@ -36,8 +37,8 @@ from rosward.source.workspace import Executable, Package, Skipped, SkipReason, S
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from rosward.source.packages import DescribedPackage
-
+    from rosward.source.ros_1 import of_ros_1
+from rosward.source.packages import DescribedPackage
 
 _LEVELS_ABOVE: Final = 12
 _OTHERS_TOO: Final = ("_launch.yaml", "_launch.yml")
@@ -110,7 +111,9 @@ def discover(
         ),
         findings=tuple(
             sorted(
-                dict.fromkeys([*findings, *failed, *doubts, *left_out(tree, root, named), *_twins(packages)]),
+                dict.fromkeys(
+                    [*findings, *failed, *doubts, *left_out(tree, root, named), *_twins(packages), *of_ros_1(packages)]
+                ),
                 key=lambda f: (f.place, f.code, f.message),
             )
         ),

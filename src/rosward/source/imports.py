@@ -88,7 +88,7 @@ class ImportResolver:
         """The module `name` in the package `parent`."""
         if parent.folder is None:
             return None
-        found = self._descend(parent.folder, [name], parent.file.package if parent.file else None)
+        found = self._descend(parent.folder, [name], parent.file.package if parent.file else None, within=True)
         return found and found._replace(name=f"{parent.name}.{name}", guess=parent.guess)
 
     def entry_module(self, name: str, package: Package) -> ImportTarget | None:
@@ -212,7 +212,7 @@ class ImportResolver:
             folder = os.path.dirname(folder)  # noqa: PTH120
         beyond = len(folder) <= len(root)  # Python refuses: no package is left to import from
         base = Path(folder[len(root) :].lstrip(os.sep)).parts
-        found = self._descend(folder, module.split(".") if module else [], importer.package)
+        found = self._descend(folder, module.split(".") if module else [], importer.package, within=True)
         if found is None:
             return None
         name = ".".join([*base, found.name]).rstrip(".")
@@ -234,8 +234,13 @@ class ImportResolver:
             namespace = namespace or found._replace(guess=guess)
         return namespace
 
-    def _descend(self, folder: str, parts: list[str], package: Package | None) -> ImportTarget | None:
-        """The module that `parts` name below `folder`; as at run time a package goes before a module of its name."""
+    def _descend(
+        self, folder: str, parts: list[str], package: Package | None, *, within: bool = False
+    ) -> ImportTarget | None:
+        """The module that `parts` name below `folder`; as at run time a package goes before a module of its name.
+
+        `within`: the folder is one of a package.
+        """
         layout = self._layout
         for index, part in enumerate(parts):
             listing = layout.listing(folder)
@@ -250,7 +255,7 @@ class ImportResolver:
                 return None
         if layout.listing(folder).is_package:
             return ImportTarget(".".join(parts), self.file_at(f"{folder}{os.sep}__init__.py", package), folder)
-        held = layout.holds_python(folder) or self._generated.at(folder, []) is not None
+        held = layout.holds_python(folder, inner=within or len(parts) > 1) or self._generated.at(folder, []) is not None
         return ImportTarget(".".join(parts), None, folder) if held else None
 
     def _beside(self, parts: list[str], importer: SourceFile) -> ImportTarget | None:

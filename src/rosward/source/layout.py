@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from rosward.source.workspace import Package
 
 _EMPTY: Final = frozenset[str]()
+_MOST_FOLDERS: Final = 200
+"""So many folders are looked at for a module, at most."""
 
 
 class Listing(NamedTuple):
@@ -54,12 +56,24 @@ class Layout:
             found = self._listings[folder] = _list(folder, self._excluded, self._boundary)
         return found
 
-    def holds_python(self, folder: str) -> bool:
-        """Whether the folder, or one directly in it, holds Python modules, and so can be a namespace package."""
+    def holds_python(self, folder: str, *, inner: bool = False) -> bool:
+        """Whether the folder, or one directly in it, holds Python modules, and so can be a namespace package.
+
+        `inner`: it lies within a package, so modules further down are enough.
+        """
         here = self.listing(folder)
-        return bool(here.modules) or any(
-            self.listing(f"{folder}{os.sep}{name}").is_package for name in sorted(here.folders)
-        )
+        if here.modules or any(self.listing(f"{folder}{os.sep}{name}").is_package for name in sorted(here.folders)):
+            return True
+        return inner and self._holds_further_down(folder)
+
+    def _holds_further_down(self, folder: str) -> bool:
+        waiting = [folder]
+        for seen in waiting:
+            here = self.listing(seen)
+            if here.modules:
+                return True
+            waiting += [f"{seen}{os.sep}{name}" for name in sorted(here.folders)][: _MOST_FOLDERS - len(waiting)]
+        return False
 
     def python_root(self, folder: str, package: Package | None) -> str:
         """The folder from which a module in `folder` is imported.

@@ -77,6 +77,11 @@ class LaunchPython:
         told = (f._replace(code="RW320") if f.code == "RW209" else f for f in self._log.findings)
         return tuple(dict.fromkeys(told))
 
+    @property
+    def log(self) -> EffectLog:
+        """What the launch files did to ROS themselves: nodes that live in the process of launch."""
+        return self._log
+
     def read(self, file: str, performer: Performer) -> Description:
         """Run a Python launch file (named as in the workspace) and give the entities of its generate_launch_description()."""
         try:

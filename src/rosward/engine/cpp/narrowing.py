@@ -21,7 +21,7 @@ from rosward.ir import cpp, ops
 from rosward.models.cpp import operators as plain
 from rosward.models.cpp.conversions import is_empty_optional
 from rosward.models.cpp.copies import write
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.slots import stored
 from rosward.models.cpp.types import Shape, shape_of
 from rosward.models.python.operators.operators import is_default
 
@@ -128,7 +128,7 @@ def narrow(machine: Engine, op: cpp.Narrow, frame: Frame) -> None:
         return
     frame.op, frame.sequence = op, 0
     base = machine.obj(slot.base)
-    if base.many or slot.kind not in ("cell", "field") or read(machine, slot) != before:
+    if base.many or slot.kind not in ("cell", "field") or stored(machine, slot) != before:
         return
     if slot.kind == "field" and str(slot.key) not in base.attrs:
         return

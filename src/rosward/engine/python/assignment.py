@@ -16,11 +16,11 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.engine.escape import name_of
 from rosward.engine.python import members
 from rosward.engine.python.attributes import setter_of
+from rosward.engine.python.functions import record_of
 from rosward.engine.python.namespaces import slots_of
-from rosward.engine.python.removal import remove
+from rosward.engine.python.removal import HOOKS, remove
 from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
-from rosward.models.python.std.records import FROZEN
 from rosward.models.ros import message_fields
 
 if TYPE_CHECKING:
@@ -64,10 +64,16 @@ def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
         elif option.__class__ is Function:
             if name in _OF_A_FUNCTION:
                 machine.report("RW203", "a function may be given another body or other defaults")
-            address = machine.library.function_address(option)
-            record = machine.own(address) or Obj("instance", NONE)
-            machine.put(address, record.with_attr(name, value))
+            address, record = machine.library.function_address(option), record_of(machine, option)
+            old = record.attrs.get(name)
+            weak = several or record.many
+            changed = record.with_attr(name, join(old, value) if weak and old is not None else value)
+            if weak and (old is None or name in record.partial):
+                changed.partial = marked(record.partial, name)
+            machine.put(address, changed)
         elif option.__class__ in (External, Unknown):
+            if option == External("builtins"):
+                machine.report("RW203", f"the builtin {name} may be another one")
             machine.escape((value,), name_of(option), option)
     return True
 
@@ -80,8 +86,8 @@ def store_past_hook(machine: Engine, ref: Ref, name: str, value: Value, *, weak:
 def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
     obj = machine.obj(ref)
     hook = members.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
-    if hook is not None and (hook.__class__ is Function or hook == FROZEN):
-        return machine.call(hook, (ref, Const(name), value)) is not UNBOUND
+    if hook is not None and all(option.__class__ in HOOKS for option in options(hook)):
+        return machine.call(members.bind(machine, hook, ref, obj.cls), (Const(name), value)) is not UNBOUND
     in_class = members.lookup(machine, obj.cls, name) if obj.kind == "instance" else None
     if in_class.__class__ is Descriptor and in_class.kind == "property":
         if in_class.setter is not None:

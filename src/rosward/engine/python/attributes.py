@@ -17,12 +17,14 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.python import modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
+from rosward.engine.python.functions import kept_table, of_function, of_partial
 from rosward.engine.python.members import bind, lookup, of_native_class, type_name
 from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
 from rosward.models.python.attribute_tables import TABLE, own_attribute
-from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE, may_hide
+from rosward.models.python.builtins.attributes import may_hide
 from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
+from rosward.models.python.std.annotations import of_class as annotated
 from rosward.models.ros import message_fields
 from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
 
@@ -49,22 +51,24 @@ def load(machine: Engine, value: Value, name: str) -> Value:
     if value.__class__ is Super:
         return _of_super(machine, value, name)
     if value.__class__ is Function:
-        return _of_function(machine, value, name)
+        return of_function(machine, value, name)
     if value.__class__ is BoundMethod:
         if name in ("__self__", "__func__"):
             return value.receiver if name == "__self__" else value.function
-        return load(machine, value.function, name)
+        return value if name == "__call__" else load(machine, value.function, name)
     if value.__class__ is Native:
         if name in ("__name__", "__qualname__"):
             return Const(value.name.rpartition(".")[2])
         base = value.name.removeprefix("builtins.")
+        if name == "__dict__" and isinstance(getattr(builtins, base, None), type):
+            return machine.new_dict({Const(n): Native(f"{base}.{n}") for n in vars(getattr(builtins, base))})
         if is_exception(base):
             return of_native_class(machine, base, name) or of_exception_class(machine, base, name)
         return of_class(base, name) or Native(f"{base}.{name}")
     if value.__class__ is Descriptor:
         return Partial(Native(f"descriptor.{name}"), (value,), ())
-    if value.__class__ is Partial and name in ("func", "args"):
-        return value.function if name == "func" else Tuple(value.arguments)
+    if value.__class__ is Partial and name in ("func", "args", "keywords", "__call__"):
+        return of_partial(machine, value, name)
     return _of_builtin(machine, value, name)
 
 
@@ -241,6 +245,10 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
     meta = in_metaclass(machine, cls, name)
     if meta.__class__ is Descriptor and meta.kind == "property":
         return bind(machine, meta, cls, metaclass_of(machine, cls))
+    if name == "__annotations__" and not cls.stub:
+        written = annotated(machine, cls)
+        if written is not None:
+            return kept_table(machine, cls, written.items())
     found = lookup(machine, cls, name)
     if found is not None:
         if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):
@@ -250,6 +258,24 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
         return bind(machine, found, NONE, cls) if found.__class__ is Ref else found
     if meta is not None:
         return bind(machine, meta, cls, metaclass_of(machine, cls))
+    own = _of_every_class(machine, cls, name) if name.startswith("__") or name == "mro" else None
+    if own is not None:
+        return own
+    for base in cls.mro:
+        if base.__class__ is External:
+            return External(f"{base.name}.{name}")
+    fallback = in_metaclass(machine, cls, "__getattr__")
+    if fallback is not None:
+        return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
+    if name.startswith("__") and name != "__doc__" and name in vars(object):
+        return Native(f"object.{name}")
+    if hasattr(type, name):
+        return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
+    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
+
+
+def _of_every_class(machine: Engine, cls: Class, name: str) -> Value | None:
+    """What each class has from `type`."""
     if name in ("__name__", "__qualname__"):
         return Const(cls.name if name == "__name__" else cls.qualname)
     if name == "__module__":
@@ -264,17 +290,11 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
         return Partial(Native("builtins.list"), (below,), ())
     if name == "__bases__":
         return Tuple(cls.bases or (_OBJECT,))
+    if name == "__base__" and len(cls.bases) < 2:  # of several, the one that decides how objects look in memory
+        return cls.bases[0] if cls.bases else _OBJECT
     if name == "__dict__":
         return table_of(machine, cls.address)
-    for base in cls.mro:
-        if base.__class__ is External:
-            return External(f"{base.name}.{name}")
-    fallback = in_metaclass(machine, cls, "__getattr__")
-    if fallback is not None:
-        return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
-    if name.startswith("__") and name != "__doc__" and hasattr(object, name):
-        return Native(f"object.{name}")
-    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
+    return None
 
 
 def _of_super(machine: Engine, value: Super, name: str) -> Value:
@@ -318,22 +338,6 @@ def _through_super(machine: Engine, found: Value, receiver: Value, cls: Value, n
     if receiver is cls and found.__class__ is Function:
         return found
     return bind(machine, found, receiver, cls)
-
-
-def _of_function(machine: Engine, function: Function, name: str) -> Value:
-    kept = machine.function_record(function)
-    found = kept.attrs.get(name) if kept is not None else None  # first: functools.wraps renames
-    if found is not None:
-        return found
-    if name in ("__name__", "__qualname__"):
-        return Const(function.code.name if name == "__name__" else function.code.qualname)
-    if name == "__module__":
-        return Const(function.module.name)
-    if name == "__doc__":
-        return Const(function.code.doc)
-    if kept is not None and ANY_ATTRIBUTE in kept.partial:
-        return machine.unknown(Cause.CALL, f"{function.code.name}.{name}")
-    return machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
 
 
 def setter_of(machine: Engine, in_class: Value | None) -> Value | None:

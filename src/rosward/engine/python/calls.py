@@ -155,6 +155,8 @@ def _call_object(machine: Engine, ref: Ref, args: Arguments, keywords: Keywords)
 
 _QUESTIONS: Final = ("is_", "has_", "isgenerator", "iscoroutine", "isasync", "ismethod", "isdata", "callable")
 """How the names of functions begin that answer whether something is so."""
+_ABOUT: Final = frozenset({"ast", "dis", "gc", "inspect", "json", "pickle", "pprint", "pydoc", "sys"})
+"""Modules of Python whose functions say something about a function or class: none is a decorator without a model."""
 
 
 def _call_external(machine: Engine, function: External, args: Arguments, keywords: Keywords) -> Value:
@@ -166,7 +168,7 @@ def _call_external(machine: Engine, function: External, args: Arguments, keyword
         return call_native(machine, function.name, args, keywords)
     note_call(machine)
     escape(machine, (*args, *keywords.values()), function.name, function)
-    asks = function.name.rpartition(".")[2].startswith(_QUESTIONS)
+    asks = function.name.rpartition(".")[2].startswith(_QUESTIONS) or function.name.partition(".")[0] in _ABOUT
     if len(args) == 1 and not keywords and not asks and args[0].__class__ in (Function, Class):
         # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
         assignment.open_up(machine, args[0])

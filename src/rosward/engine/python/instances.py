@@ -14,6 +14,7 @@ import collections.abc
 import contextlib
 import numbers
 import os
+import types
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
@@ -24,7 +25,7 @@ from rosward.engine.python import members, metaclasses
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.python.specials import NOT_IMPLEMENTED
 from rosward.models.python.asked import REGISTERED
-from rosward.models.python.builtins.attributes import has_attribute
+from rosward.models.python.builtins.attributes import has_attribute, of_python
 from rosward.models.python.containers.lists import ITERATOR, VIEW
 from rosward.models.python.plain import LOOSE_HINTS
 
@@ -70,12 +71,16 @@ def type_of(machine: Engine, value: Value) -> Value | None:
     if value.__class__ is Class:
         return metaclass_of(machine, value)
     if value.__class__ is Native:
-        found = getattr(builtins, value.name.removeprefix("builtins."), None)
-        return Native("builtins.type") if isinstance(found, type) else None
+        found = of_python(value.name)
+        if isinstance(found, type):
+            return Native("builtins.type")
+        return None if found is None else Native("builtins.builtin_function_or_method")
     if value.__class__ in (Function, BoundMethod, Partial):
         return Native("builtins.function")
     if value.__class__ is ModuleValue:
         return Native("builtins.module")
+    if value.__class__ is Descriptor and value.kind != "cached_property":
+        return Native(f"builtins.{value.kind}")
     return None
 
 
@@ -157,10 +162,15 @@ def _nominal(cls: Value, wanted: Value) -> bool | None:
     if cls.__class__ is not Class:
         return False  # of a class of Python only another one is a base
     mro = cls.mro
-    if wanted in mro:
+    reals = [(base, real) for base in mro if (real := _modelled(base)) is not None]
+    inside = {b for base, _ in reals if isinstance(base, Class) for b in base.mro if b.__class__ is Native}
+    if wanted in mro and wanted not in inside:
         return True
-    theirs = _python_class(wanted.name) if wanted.__class__ is Native else None
-    natives = [_of_python(b.name, theirs) for b in mro if b.__class__ is Native] if wanted.__class__ is Native else []
+    natives: list[bool | None] = []
+    if wanted.__class__ is Native:
+        theirs = _python_class(wanted.name)
+        natives = [_of_python(b.name, theirs) for b in mro if b.__class__ is Native and b not in inside]
+        natives += [isinstance(theirs, type) and issubclass(real, theirs) for _, real in reals]
     unknown = any(b.__class__ in (External, Unknown) for b in mro)
     return _any([*natives, None if unknown else False])
 
@@ -180,8 +190,23 @@ def _python_class(name: str) -> object:
 _PYTHON: Final[dict[str, type]] = {
     "builtins.generator": type(_ for _ in ()),
     "builtins.function": type(_of_python),
+    "builtins.builtin_function_or_method": type(len),
+    "builtins.method": types.MethodType,
     "builtins.NoneType": type(None),
 }
+
+
+_MODELLED: Final = {"collections": collections, "types": types}
+"""Modules of Python whose classes have models that are made of others: a `UserList` is no list."""
+
+
+def _modelled(base: Value) -> type | None:
+    """The class of Python that a model stands for."""
+    module = _MODELLED.get(base.module) if base.__class__ is Class and base.stub else None
+    if module is None or not isinstance(base, Class):
+        return None
+    found = tuple if base.name == "_NamedTuple" else getattr(module, base.name, None)
+    return found if isinstance(found, type) else None
 
 
 def _abstract(wanted: Class) -> type | None:
@@ -196,7 +221,14 @@ def _of_abstract(machine: Engine, cls: Value, abstract: type) -> bool | None:
         return _of_python(cls.name, abstract)
     assert isinstance(cls, Class)
     by_base: list[bool | None] = []
+    inside: set[Value] = set()  # what the models of classes of Python are made of
     for base in cls.mro:
+        real = _modelled(base)
+        if real is not None and isinstance(base, Class):
+            by_base.append(issubclass(real, abstract))
+            inside.update(base.mro)
+        if base in inside:
+            continue
         if base.__class__ is Native:
             by_base.append(_of_python(base.name, abstract))
         elif base.__class__ is Class:

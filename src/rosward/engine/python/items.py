@@ -19,6 +19,7 @@ from rosward.models.native import Items
 from rosward.models.python.containers.lists import new_tuple
 from rosward.models.python.containers.sets import distinct
 from rosward.models.python.operators import operators
+from rosward.models.python.std.annotations import WRITTEN_IN
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -177,5 +178,6 @@ def _annotate(machine: Engine, arguments: list[Value], frame: Frame) -> None:
     table = namespace.attrs.get("__annotations__")
     if table is None:
         table = machine.allocate(Obj("dict", Native("builtins.dict"), entries={}), "annotations")
-        machine.put(frame.namespace, machine.at(frame.namespace).with_attr("__annotations__", table))
+        named = machine.at(frame.namespace).with_attr("__annotations__", table)
+        machine.put(frame.namespace, named.with_attr(WRITTEN_IN, frame.module))
     operators.store_item(machine, table, arguments[0], arguments[1])

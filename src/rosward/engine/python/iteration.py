@@ -98,7 +98,7 @@ def _over_items(
     """Item by item; any number of turns where items are too many or of unknown number."""
     known, rest = found
     live = source if isinstance(source, Ref) and _is_list(machine, source) else None
-    drained = source if begun is None and isinstance(source, Ref) and _is_drained(machine, source) else None
+    drained = source if isinstance(source, Ref) and _is_drained(machine, source) else None
     sizes = _sizes(machine, source)
     budget = machine.budget
     number, offset, alive = 0, 0, True

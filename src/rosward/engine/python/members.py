@@ -64,6 +64,8 @@ def of_native_class(machine: Engine, cls: str, name: str) -> Native | None:
 
 def bind(machine: Engine, found: Value, receiver: Value, cls: Value) -> Value:
     """What a class attribute becomes when read through an instance (or, for class methods, the class)."""
+    if found.__class__ is Native and hasattr(builtins, found.name.removeprefix("builtins.")):
+        return found  # `size = len` in a class: no function of Python, but a builtin, which takes no `self`
     if found.__class__ is Function or found.__class__ is Native:
         return BoundMethod(receiver, found)
     if found.__class__ is Descriptor:

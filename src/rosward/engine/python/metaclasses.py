@@ -46,6 +46,8 @@ def prepare(machine: Engine, meta: Value, name: str, bases: Value, keywords: dic
     made = machine.call(BoundMethod(meta, function), (Const(name), bases), keywords)
     found: dict[str, Value] = {}
     for option in options(made):
+        if isinstance(option, Ref) and machine.obj(option).kind == "instance":  # an OrderedDict
+            option = machine.call_native("builtins.dict", (option,))  # noqa: PLW2901
         if isinstance(option, Ref) and machine.obj(option).kind == "dict":
             entries = machine.obj(option).entries.items()
             found.update({k.value: v for k, v in entries if isinstance(k, Const) and isinstance(k.value, str)})

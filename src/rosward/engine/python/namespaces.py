@@ -20,14 +20,16 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 
-def table_of(machine: Engine, address: int) -> Value:
-    """A dict of the attributes kept at an address, without those in slots; what is stored in it becomes an attribute there."""
+def table_of(machine: Engine, address: int, apart: frozenset[str] = frozenset()) -> Value:
+    """A dict of the attributes kept at an address, without those in slots and `apart`; what is stored in it becomes an attribute there."""
     attrs = machine.at(address).attrs
     partial = machine.at(address).partial
     cls = machine.at(address).cls
-    slots = {n for base in (cls.mro if isinstance(cls, Class) else ()) for n in slots_of(machine, base) or ()}
+    slots = apart | {n for base in (cls.mro if isinstance(cls, Class) else ()) for n in slots_of(machine, base) or ()}
     entries: dict[Value, Value] = {
-        Const(k): v for k, v in attrs.items() if v is not UNBOUND and k.isidentifier() and k not in slots
+        Const(k): v
+        for k, v in attrs.items()
+        if v is not UNBOUND and k.isidentifier() and k not in slots and not k.startswith("_rosward")
     }
     maybe = frozenset(k for k in map(Const, partial) if k in entries)
     record = Obj("dict", Native("builtins.dict"), entries=entries, maybe=maybe, payload=Ref(address))

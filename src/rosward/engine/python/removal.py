@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import Descriptor
+from rosward.domain.compound import Descriptor, Native, Partial
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.python import members
@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 
+HOOKS: Final = (Function, Native, Partial)
+"""What may stand for `__setattr__` and `__delattr__`: a function of the program, `dict.__setitem__`."""
+
+
 def delete(machine: Engine, target: Value, name: str) -> None:
     """del target.name."""
 
@@ -23,8 +27,8 @@ def delete(machine: Engine, target: Value, name: str) -> None:
         if option.__class__ is Ref and machine.obj(option).kind == "instance":
             cls = machine.obj(option).cls
             hook = members.lookup(machine, cls, "__delattr__")
-            if hook.__class__ is Function:
-                return machine.call(hook, (option, Const(name)))
+            if hook is not None and all(each.__class__ in HOOKS for each in options(hook)):
+                return machine.call(members.bind(machine, hook, option, cls), (Const(name),))
             found = members.lookup(machine, cls, name)
             if found.__class__ is Descriptor and found.deleter is not None:
                 return machine.call(found.deleter, (option,))
@@ -43,10 +47,14 @@ def delete(machine: Engine, target: Value, name: str) -> None:
 
 
 def remove(machine: Engine, target: Value, name: str) -> None:
-    """What an object, class or module holds under a name is gone."""
+    """What an object, class, module or function holds under a name is gone."""
     if target.__class__ is Ref or target.__class__ is Class or target.__class__ is ModuleValue:
         record = machine.at(target.address)
         if target.__class__ is Ref and remove_from_table(machine, record, name):
             return
         if name in record.attrs and not record.many:
             machine.put(target.address, record.with_attr(name, UNBOUND))
+    elif target.__class__ is Function:
+        kept = machine.function_record(target)
+        if kept is not None and name in kept.attrs and not kept.many:
+            machine.put(machine.library.function_address(target), kept.with_attr(name, UNBOUND))

@@ -49,12 +49,23 @@ _LIBRARIES: Final = (
     "BOOST_CLASS_EXPORT(X)",
     "BOOST_CLASS_EXPORT_KEY(X)", "BOOST_CLASS_EXPORT_IMPLEMENT(X)", "BOOST_CLASS_VERSION(X, Y)", "__attribute__(X)", "__declspec(X)",
     "__extension__", "__restrict__", "__restrict", "__inline__ inline",
-    "PRId8 \"d\"", "PRId16 \"d\"", "PRId32 \"d\"", "PRId64 \"ld\"", "PRIi32 \"i\"", "PRIi64 \"li\"", "PRIu8 \"u\"", "PRIu16 \"u\"",
-    "PRIu32 \"u\"",
-    "PRIu64 \"lu\"", "PRIx8 \"x\"", "PRIx16 \"x\"", "PRIx32 \"x\"", "PRIx64 \"lx\"", "PRIX32 \"X\"", "PRIX64 \"lX\"", "PRIuPTR \"lu\"",
-    "PRIdPTR \"ld\"",
     "BT_REGISTER_NODES(factory) extern \"C\" void BT_RegisterNodesFromPlugin(BT::BehaviorTreeFactory & factory)",
 )  # fmt: skip
+_LENGTHS: Final[Mapping[str, str]] = {
+    "8": "", "16": "", "32": "", "64": "l", "MAX": "l", "PTR": "l",
+    "LEAST8": "", "LEAST16": "", "LEAST32": "", "LEAST64": "l", "FAST8": "", "FAST16": "l", "FAST32": "l", "FAST64": "l",
+}  # fmt: skip
+"""The formats of inttypes.h, as glibc has them for 64 bits."""
+
+_SHORT: Final[Mapping[str, str]] = {"8": "hh", "16": "h", "LEAST8": "hh", "LEAST16": "h", "FAST8": "hh"}
+_FORMATS: Final = (
+    *(f'PRI{kind}{width} "{length}{kind}"' for width, length in _LENGTHS.items() for kind in "diouxX"),
+    *(
+        f'SCN{kind}{width} "{_SHORT.get(width, length)}{kind}"'
+        for width, length in _LENGTHS.items()
+        for kind in "dioux"
+    ),
+)
 
 NOT_DEFINED: Final = frozenset(
     {
@@ -102,7 +113,7 @@ HEADERS: Final = frozenset(
 
 def predefined() -> dict[str, Macro]:
     """The macros that every file begins with."""
-    made = [definition(text) for text in (*_COMPILER, *_LIBRARIES)]
+    made = [definition(text) for text in (*_COMPILER, *_LIBRARIES, *_FORMATS)]
     return {macro.name: macro for macro in made if macro is not None}
 
 

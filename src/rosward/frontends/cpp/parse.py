@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.findings import Finding
 from rosward.frontends.cpp.prepared import Prepared
+from rosward.frontends.cpp.repaired import repaired
 from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.location import Place
@@ -84,6 +85,14 @@ class CppParser:
         return known[1]
 
     def _parse(self, prepared: Prepared) -> Parsed | Finding:
+        parsed = self._tree(prepared)
+        if isinstance(parsed, Parsed) and parsed.troubles:
+            text = repaired(prepared.text)
+            if text != prepared.text:
+                return self._tree(prepared._replace(text=text))
+        return parsed
+
+    def _tree(self, prepared: Prepared) -> Parsed | Finding:
         data = prepared.text.encode("utf-8", "replace")
         if len(data) > limits.CPP_FILE:
             return Finding(

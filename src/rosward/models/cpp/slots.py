@@ -19,13 +19,26 @@ from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Value
 from rosward.models.cpp.typed import unknown_sequence
+from rosward.models.cpp.types import is_reference
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.operators import items as python_items
 from rosward.models.python.plain import int_of, text_of, unknown_from
 from rosward.models.ros import message_fields
+from rosward.models.ros.parameter_table import in_place
 
-__all__ = ["is_structure", "key_of", "key_value", "new_pair", "plain_number", "read", "read_field", "unfolded"]
+__all__ = [
+    "is_structure",
+    "key_of",
+    "key_value",
+    "new_pair",
+    "plain_number",
+    "read",
+    "read_field",
+    "referred_to",
+    "stored",
+    "unfolded",
+]
 
 _VALUE: Final = "value"
 _DEEPEST: Final = 12
@@ -35,18 +48,31 @@ _DEEPEST: Final = 12
 
 
 def read(machine: Machine, value: Value) -> Value:
-    """The value at a slot; what is no slot is itself."""
+    """The value at a slot; what is no slot is itself. A default is another value where a test said so."""
     if value.__class__ is Slot:
-        return _read(machine, value)
+        found = _read(machine, value)
+        return in_place(machine, found) if found.__class__ is Const and found.origins else found
     if value.__class__ is Choice and any(o.__class__ is Slot for o in value.options):
-        inside = [o for o in value.options if not _is_end(o)]  # no execution goes on that reads what is behind the end
+        inside = [o for o in value.options if not _is_end(machine, o)]  # none goes on that reads what is behind the end
         return join_all(read(machine, option) for option in inside or value.options)
     return value
 
 
-def _is_end(value: Value) -> bool:
-    """Whether a slot is that to which the end of a container leads."""
-    return value.__class__ is Slot and value.kind != "cell" and value.key == NONE
+def stored(machine: Machine, slot: Slot) -> Value:
+    """What was written at a slot, whatever tests have said since."""
+    return _read(machine, slot)
+
+
+def _is_end(machine: Machine, value: Value) -> bool:
+    """Whether a slot is that to which the end of a container leads, or an element of one that has none."""
+    if value.__class__ is not Slot or value.kind == "cell":
+        return False
+    return value.key == NONE or (value.kind not in ("field", "entry") and _is_empty(machine, value.base))
+
+
+def _is_empty(machine: Machine, value: Value) -> bool:
+    """Whether a container surely has no elements."""
+    return isinstance(value, Ref) and machine.obj(value).kind == "list" and machine.obj(value).items == ()
 
 
 def _read(machine: Machine, slot: Slot) -> Value:
@@ -54,7 +80,10 @@ def _read(machine: Machine, slot: Slot) -> Value:
     if base.__class__ is Slot:
         base = read(machine, base)
     if base.__class__ is Choice:
-        return join_all(_read(machine, Slot(option, kind, key)) for option in base.options)
+        inside = [
+            o for o in base.options if not _is_empty(machine, o)
+        ]  # none goes on, either, that asks it for an element
+        return join_all(_read(machine, Slot(option, kind, key)) for option in inside or base.options)
     if kind == "cell" and isinstance(base, Ref):
         return _initialised(machine, machine.obj(base).attrs.get(_VALUE, UNBOUND), "variable")
     if kind == "field" and isinstance(base, Ref) and isinstance(key, str):
@@ -67,6 +96,20 @@ def _read(machine: Machine, slot: Slot) -> Value:
         found = dicts.look_up(machine, machine.obj(base), key)
         return new_pair(machine, key_value(machine, base, key), _initialised(machine, found.value, "element"))
     return _element(machine, base, key)
+
+
+def referred_to(machine: Machine, slot: Slot) -> Value | None:
+    """Where a `std::reference_wrapper` leads that stands at a slot: a plain reference to it leads there."""
+    base, kind, key = slot.fields()
+    if base.__class__ is not Ref:
+        return None
+    obj, held = machine.obj(base), None
+    if kind in ("cell", "field"):
+        held = obj.attrs.get(_VALUE if kind == "cell" else str(key))
+    elif obj.kind == "list" and isinstance(key, Value):
+        number = int_of(key)
+        held = obj.series().element() if number is None else obj.series().at(number)
+    return held.arguments[0] if held is not None and is_reference(held) else None
 
 
 def _initialised(machine: Machine, value: Value, what: str) -> Value:

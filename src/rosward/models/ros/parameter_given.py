@@ -10,10 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.certain import text_of
-from rosward.domain.choice import join_all, options
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Tuple
 from rosward.domain.text import readable
-from rosward.domain.unknown import Cause, Origin, Reason
+from rosward.domain.unknown import OUTSIDE, Cause, Origin, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Unknown, Value
 from rosward.models.ros import parameter_table as table
 from rosward.models.ros.effects import mark
@@ -54,6 +54,23 @@ def initial_value(machine: Machine, node: Value, name: Value, default: Value, hi
         for option in (options(default) if override is None else (override,))
     ]
     return join_all([*values, *(Unknown((r,), hint) for r in open_)])
+
+
+def or_another_list(machine: Machine, node: Value, name: Value, value: Value, element: str, ignored: Value) -> Value:
+    """The first value of a parameter; where it is an empty list that anybody may have set, with one of elements of the type `element` beside."""
+    if machine.log.configuration is not None or not any(_is_empty(machine, option) for option in options(value)):
+        return value
+    label = text_of(name, readable(name))
+    if ignored != TRUE and override_of(machine, node, label) is not None:
+        return value
+    return join(value, machine.new_list((), Unknown((Reason(Cause.OTHER, label, machine.place),), element)))
+
+
+def _is_empty(machine: Machine, value: Value) -> bool:
+    """Whether a default is a list without elements: none of them can tell what is made of each element."""
+    if isinstance(value, Tuple):
+        return not value.items
+    return isinstance(value, Ref) and machine.obj(value).kind == "list" and machine.obj(value).items == ()
 
 
 def given_wrongly(
@@ -120,7 +137,7 @@ def overrides_of(machine: Machine, node: Value) -> Overrides:
         for label, values in given.items()
     }
     found.update({label: (value, True) for label, value in own.items()})
-    others = ((table.OUTSIDE,) if outside else ()) + (("set by parameter_overrides",) if unknown else ())
+    others = ((OUTSIDE,) if outside else ()) + (("set by parameter_overrides",) if unknown else ())
     return Overrides(found, others)
 
 

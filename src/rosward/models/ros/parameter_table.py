@@ -16,11 +16,11 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
-from rosward.domain.choice import join, join_all, options
+from rosward.domain.choice import join, join_all, options, reasons_of
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of, readable
-from rosward.domain.unknown import COMPARED, Cause, Origin, Reason
+from rosward.domain.unknown import COMPARED, OUTSIDE, Cause, Origin, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
@@ -33,16 +33,13 @@ if TYPE_CHECKING:
 
 _TABLE: Final = "__parameters__"
 _PATTERNS: Final = "__parameter_patterns__"
+_EXCLUDED: Final = "__excluded_defaults__"
 _MOST_PATTERNS: Final = 100
 _ANYTHING: Final = Hole(())
 UNDECLARED: Final = "__undeclared__"
 """Attribute of a node: whether it takes parameters that it never declared."""
 REFUSES: Final = "__refuses__"
 """Attribute of a node: whether something may refuse a new value (a callback, a descriptor)."""
-OUTSIDE: Final = "set from outside"
-"""What the parameters are said to be that nobody here sets, and anybody may set who starts the process."""
-
-
 _EXCEPTIONS: Final = MappingProxyType({PYTHON: "rclpy.exceptions", CPP: "rclcpp.exceptions"})
 """The module or namespace that has the exceptions of the client library, by language."""
 
@@ -189,20 +186,38 @@ def narrow(machine: Machine, before: Value, after: Value) -> None:
         _put_entry(machine, held[0], key, after)
 
 
-def _exclude(machine: Machine, test: Const, asked: Sequence[Value], *, sense: bool) -> None:
+def _exclude(machine: Machine, test: Value, asked: Sequence[int], registers: list[Value], *, sense: bool) -> None:
     """A test that was computed of a default comes out otherwise than with it: somebody gives the parameter another value there.
 
     `if len(topic) > 0:` of a topic that is '' by default. What is asked directly is narrowed where it stands.
     """
-    label = _open_parameter(test)
-    if label is None or bool(test.value) is sense:
+    labels = {_open_parameter(o) if bool(o.value) is not sense else None for o in options(test) if isinstance(o, Const)}
+    label = labels.pop() if len(labels) == 1 else None
+    if label is None:
         return
+    values = [registers[number] for number in asked]
+    for number, value in enumerate(registers):  # what was read of it, and elements of a list that it is
+        if (value.__class__ is Const or value.__class__ is Choice) and number not in asked:
+            registers[number] = _without_default(machine, value, label)
     key = Const(label)
-    held = [(table, value) for table in _tables(machine) if (value := machine.obj(table).entries.get(key)) is not None]
-    if len(held) != 1 or held[0][1] in asked or _open_parameter(held[0][1]) != label:
-        return
-    if isinstance(held[0][1], Const) and isinstance(held[0][1].value, str):
-        _put_entry(machine, held[0][0], key, _another(machine, label))
+    held = [(table, found) for table in _tables(machine) if (found := machine.obj(table).entries.get(key)) is not None]
+    if isinstance(test, Const) and len(held) == 1 and held[0][1] not in values:
+        left = _without_default(machine, held[0][1], label)
+        if left is not held[0][1]:
+            _put_entry(machine, held[0][0], key, left)
+        elif isinstance(left, Ref):
+            for excluded in _tables(machine, _EXCLUDED):
+                dicts.store(machine, excluded, key, TRUE)
+
+
+def _without_default(machine: Machine, value: Value, label: str) -> Value:
+    """A value where the parameter is not what it is by default: what was a text because of that is another one."""
+    found = options(value)
+    kept = [o for o in found if not (isinstance(o, Const) and isinstance(o.value, str) and _open_parameter(o) == label)]
+    if len(kept) == len(found):
+        return value
+    told = any(_is_excluded(o) and any(r.subject == label for r in reasons_of(o)) for o in kept)
+    return join_all(kept if told else (*kept, _another(machine, label)))
 
 
 def in_place(machine: Machine, value: Value) -> Value:
@@ -211,7 +226,16 @@ def in_place(machine: Machine, value: Value) -> Value:
     if label is None:
         return value
     held = [v for table in _tables(machine) if (v := machine.obj(table).entries.get(Const(label))) is not None]
-    return held[0] if len(held) == 1 and _is_excluded(held[0]) else value
+    if len(held) != 1:
+        return value
+    if isinstance(held[0], Ref):  # what is in a list stays; of which one a test says something is not asked
+        return _without_default(machine, value, label) if _is_surely_excluded(machine, label) else value
+    return held[0] if _is_excluded(held[0]) else value
+
+
+def _is_surely_excluded(machine: Machine, label: str) -> bool:
+    found = [machine.obj(table) for table in _tables(machine, _EXCLUDED)]
+    return any(Const(label) in each.entries and Const(label) not in each.maybe for each in found)
 
 
 def _is_excluded(value: Value | None) -> bool:
@@ -231,10 +255,10 @@ def _another(machine: Machine, label: str) -> Value:
     return Unknown((Reason(Cause.OTHER, label, machine.place),), "str")
 
 
-def _tables(machine: Machine) -> list[Ref]:
+def _tables(machine: Machine, which: str = _TABLE) -> list[Ref]:
     """The tables of all nodes, as far as each is of one node alone."""
     nodes = dict.fromkeys(Ref(effect.address) for effect in machine.nodes_at(None))
-    return list(dict.fromkeys(table for node in nodes if (table := table_of(machine, node)) is not None))
+    return list(dict.fromkeys(table for node in nodes if (table := table_of(machine, node, which)) is not None))
 
 
 def _put_entry(machine: Machine, table: Ref, key: Const, value: Value) -> None:
@@ -260,12 +284,12 @@ def may_have(machine: Machine, node: Value, label: str) -> Value:
     return join_all((Const(True, frozenset((Origin(f"{_HAS}{node.address}", label),))), FALSE))
 
 
-def tell(machine: Machine, test: Value, asked: Sequence[Value], *, sense: bool) -> None:
-    """A test came out as `sense`: what that says about parameters holds from here on. `asked`: the values that it asks about."""
+def tell(machine: Machine, test: Value, asked: Sequence[int], registers: list[Value], *, sense: bool) -> None:
+    """A test came out as `sense`: what that says about parameters holds from here on. `asked`: the registers that it asks about."""
     if isinstance(test, Choice):
         _follow(machine, test, sense=sense)
-    elif isinstance(test, Const) and test.origins:
-        _exclude(machine, test, asked, sense=sense)
+    if not isinstance(test, Const) or test.origins:
+        _exclude(machine, test, asked, registers, sense=sense)
 
 
 def _follow(machine: Machine, value: Value, *, sense: bool) -> None:
@@ -311,7 +335,9 @@ def is_unset(value: Value) -> bool | None:
 def new_table(machine: Machine, node: Ref, undeclared: Value | None) -> None:
     """A new node has no parameters."""
     patterns = machine.allocate(Obj("dict", Native("builtins.dict")), _PATTERNS)
+    excluded = machine.allocate(Obj("dict", Native("builtins.dict")), _EXCLUDED)
     obj = machine.obj(node).with_attr(_TABLE, machine.new_dict({})).with_attr(_PATTERNS, patterns)
+    obj = obj.with_attr(_EXCLUDED, excluded)
     machine.update(node, obj.with_attr(UNDECLARED, undeclared or FALSE))
 
 

@@ -25,6 +25,7 @@ from rosward.models.ros import parameter_table as table
 from rosward.models.ros.parameter_given import (
     given_wrongly,
     initial_value,
+    or_another_list,
     overrides_of,
     own_overrides,
     type_label,
@@ -53,7 +54,10 @@ def _declare(call: NativeCall) -> Value:
                     return failed
                 continue
             value = initial_value(machine, node, name, default, _hint(machine, type_), ignored)
-            _keep(machine, node, name, value, default, type_, sure=alone)
+            _record(machine, node, name, value, default, type_)
+            element = _HINTS.get(type_label(machine, type_).removesuffix("_ARRAY"), "")
+            value = or_another_list(machine, node, name, value, element, ignored)
+            table.put(machine, node, name, value, sure=alone)
             found.append(value)
     return join_all(found) if found else UNBOUND
 
@@ -267,14 +271,16 @@ def _as_declared(machine: Machine, value: Value) -> Value:
     return value
 
 
-def _keep(
-    machine: Machine, node: Value, name: Value, value: Value, default: Value = NONE, type_: Value = NONE, *, sure: bool
-) -> None:
+def _keep(machine: Machine, node: Value, name: Value, value: Value, *, sure: bool) -> None:
     """Record a parameter that is declared here; not `sure`: it may be."""
+    _record(machine, node, name, value, NONE, NONE)
+    table.put(machine, node, name, value, sure=sure)
+
+
+def _record(machine: Machine, node: Value, name: Value, value: Value, default: Value, type_: Value) -> None:
     address = node.address if isinstance(node, Ref) else None
     written, given = _as_declared(machine, default), _as_declared(machine, value)
     machine.log.add_parameter(machine, ParameterEffect(address, name, written, given, type_, machine.place))
-    table.put(machine, node, name, value, sure=sure)
 
 
 def _declare_own(call: NativeCall) -> Value:

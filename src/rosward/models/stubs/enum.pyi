@@ -5,6 +5,13 @@ from _rosward import native, reads_only
 @native
 def _make_class(base, name, names, kind, start): ...
 
+@native
+def auto(value=None): ...
+def unique(enumeration):
+    return enumeration
+def verify(*conditions):
+    return unique
+
 class EnumMeta(type): ...
 EnumType = EnumMeta
 

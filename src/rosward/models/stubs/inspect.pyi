@@ -43,8 +43,49 @@ def getmembers(object, predicate=None):
         if predicate is None or predicate(member):
             found.append((name, member))
     return found
-def signature(obj, *, follow_wrapped=True, globals=None, locals=None, eval_str=False): ...
+@native
+def _parameters(obj, empty, follow): ...
+
+class _empty: ...
+
+class Parameter:
+    empty = _empty
+    POSITIONAL_ONLY = 0
+    POSITIONAL_OR_KEYWORD = 1
+    VAR_POSITIONAL = 2
+    KEYWORD_ONLY = 3
+    VAR_KEYWORD = 4
+    def __init__(self, name, kind, *, default=_empty, annotation=_empty):
+        self.name = name
+        self.kind = kind
+        self.default = default
+        self.annotation = annotation
+    @reads_only
+    def replace(self, **changes): ...
+
+class Signature:
+    empty = _empty
+    def __init__(self, parameters=None, *, return_annotation=_empty, __validate_parameters__=True):
+        self.parameters = {one.name: one for one in parameters or ()}
+        self.return_annotation = return_annotation
+    @reads_only
+    def bind(self, *args, **kwargs): ...
+    @reads_only
+    def bind_partial(self, *args, **kwargs): ...
+    @reads_only
+    def replace(self, **changes): ...
+
+def signature(obj, *, follow_wrapped=True, globals=None, locals=None, eval_str=False):
+    rows, result = _parameters(obj, _empty, follow_wrapped)
+    made = [Parameter(name, kind, default=default, annotation=note) for name, kind, default, note in rows]
+    return Signature(made, return_annotation=result)
 def getfullargspec(func): ...
+def getmro(cls):
+    return cls.__mro__
+def unwrap(func, *, stop=None):
+    while hasattr(func, '__wrapped__') and not (stop is not None and stop(func)):
+        func = func.__wrapped__
+    return func
 def getsource(object) -> str: ...
 def getsourcefile(object) -> str: ...
 def getfile(object) -> str: ...

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`typing`: without effect when the program runs; annotations are kept as text."""
-from _rosward import reads_only
-from collections import _NamedTuple, _make_named_tuple
+from _rosward import native, reads_only
+from collections import _NamedTuple, _make_named_tuple, _name_fields
 from collections import OrderedDict as OrderedDict
 from collections import defaultdict as DefaultDict
 from collections import deque as Deque
@@ -31,10 +31,13 @@ class Protocol:
         return cls
 
 class NamedTuple(_NamedTuple):
+    def __init_subclass__(cls):
+        if NamedTuple in cls.__bases__:
+            _name_fields(cls)
     def __new__(cls, *args, **kwargs):
         if cls is NamedTuple:
             return _make_named_tuple(_NamedTuple, args[0], args[1] if len(args) > 1 else list(kwargs), None)
-        return object.__new__(cls)
+        return _NamedTuple.__new__(cls, *args, **kwargs)
 
 class TypedDict:
     def __new__(cls, *args, **kwargs):
@@ -66,8 +69,12 @@ def reveal_type(obj, /):
     return obj
 @reads_only
 def assert_never(arg, /): ...
+@native
+def _hints(obj): ...
 @reads_only
-def get_type_hints(obj, globalns=None, localns=None, include_extras=False) -> dict: ...
+def _extra_hints(obj) -> dict: ...
+def get_type_hints(obj, globalns=None, localns=None, include_extras=False):
+    return _extra_hints(obj) if include_extras or globalns or localns else _hints(obj)
 @reads_only
 def get_origin(tp): ...
 @reads_only

@@ -73,8 +73,10 @@ def _named(call: NativeCall) -> Value:
     refused = names.refused(machine, node_of(call, call.args[1]), name, scope)
     if refused is False:
         return NONE
-    thrown = raise_(machine, exception, f"a name that rcl refuses: {exception} is thrown", name)
-    return thrown if refused else NONE
+    if refused:
+        return raise_(machine, exception, f"a name that rcl refuses: {exception} is thrown", name)
+    machine.throw(machine.call(machine.load_attr(machine.load_module("rclcpp.exceptions"), exception), (name,)))
+    return NONE  # it may throw, of which nobody is told: the name is told of where it is not known
 
 
 def _introspect(call: NativeCall) -> Value:

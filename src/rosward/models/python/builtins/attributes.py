@@ -54,6 +54,9 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
         return True if record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial else None
     if isinstance(value, (Function, BoundMethod, Native)):
         return _of_callable(machine, value, name)
+    if isinstance(value, Descriptor):
+        made_by = getattr(builtins, value.kind, None)
+        return _has_by_class(made_by, name) if isinstance(made_by, type) else None
     if isinstance(value, (Const, Text, Tuple, Range, Ref)):
         found = type(None) if value == NONE else getattr(builtins, kind_of(machine, value), None)
         return _has_by_class(found, name) if isinstance(found, type) else None
@@ -71,7 +74,7 @@ def _of_callable(machine: Machine, value: Value, name: str) -> bool | None:
     while isinstance(value, BoundMethod):
         value = value.function
     if isinstance(value, Native):
-        found = getattr(builtins, value.name.removeprefix("builtins."), None)
+        found = of_python(value.name)
         return hasattr(len if found is None and bound else found, name) if bound or found is not None else None
     if not isinstance(value, Function):
         return None
@@ -83,6 +86,14 @@ def _of_callable(machine: Machine, value: Value, name: str) -> bool | None:
     if own is UNBOUND:
         return None if ANY_ATTRIBUTE in kept.partial else False
     return None if name in kept.partial else True
+
+
+def of_python(name: str) -> object:
+    """The builtin, or the method of one, that has a name (`builtins.len`, `object.__eq__`); None where Python has none."""
+    found: object = builtins
+    for part in name.removeprefix("builtins.").split("."):
+        found = None if found is None else getattr(found, part, None)
+    return found
 
 
 def may_hide(machine: Machine, cls: Class, name: str) -> bool:

@@ -28,7 +28,7 @@ from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.builtins.attributes import has_attribute
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
-from rosward.models.python.containers.lists import new_tuple
+from rosward.models.python.containers.lists import ITERATOR, VIEW, new_tuple
 from rosward.models.python.containers.sets import new_set
 from rosward.models.python.operators.compare import kind_of
 from rosward.models.python.plain import (
@@ -161,7 +161,11 @@ def type_of(machine: Machine, value: Value) -> Value:
     """The class of a value."""
     if isinstance(value, Ref):
         obj = machine.obj(value)
+        if obj.payload in (ITERATOR, VIEW):
+            return unknown_from(machine, "type", "", value)
         return Native("builtins.generator") if obj.kind == "generator" else obj.cls
+    if isinstance(value, BoundMethod) and isinstance(value.function, Function):
+        return Native("builtins.method")
     if isinstance(value, Class):
         found = machine.obj(Ref(value.address)).cls
         return found if isinstance(found, Class) else Native("builtins.type")

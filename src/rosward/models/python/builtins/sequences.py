@@ -14,8 +14,9 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
-from rosward.models.python.builtins.lazy import acts, lazily, stepped
+from rosward.models.python.builtins.lazy import acts, lazily, shared, stepped
 from rosward.models.python.containers.lists import ITERATOR, order, write_series
+from rosward.models.python.containers.views import renewed
 from rosward.models.python.operators.compare import comparable
 from rosward.models.python.plain import (
     NOT_PLAIN,
@@ -64,7 +65,7 @@ def _enumerate(call: NativeCall) -> Value:
 
 
 def _zip(call: NativeCall) -> Value:
-    if stepped(call, call.args):
+    if shared(call, call.args):
         return lazily(call, "zip", *call.args)
     columns = [call.machine.iterate(a) for a in call.args]
     if call.loose is not None:  # `zip(*rows)`: rows of unknown length
@@ -86,7 +87,7 @@ def _zip(call: NativeCall) -> Value:
 
 def _map(call: NativeCall) -> Value:
     machine, function = call.machine, call.args[0]
-    if acts(machine, function) or stepped(call, call.args[1:]):
+    if acts(machine, function) or shared(call, call.args[1:]):
         return lazily(call, "map" if len(call.args) == 2 else "map_rows", *call.args)
     columns = [machine.iterate(a) for a in call.args[1:]]
     if all(c.rest is None for c in columns):
@@ -243,7 +244,7 @@ def _len_of(call: NativeCall, value: Value) -> Value:
     if isinstance(value, Range) and (numbers := range_of(value)) is not None:
         return Const(run(len, numbers), origins(value))
     if isinstance(value, Ref):
-        obj = machine.obj(value)
+        obj = renewed(machine, value)
         if obj.kind in ("list", "set") and (obj.items is not None or obj.rest is None):
             return Const(len(obj.items or ()))
         if obj.kind == "dict" and obj.rest is None and not obj.maybe:

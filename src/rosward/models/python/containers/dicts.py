@@ -17,10 +17,9 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
-from rosward.models.python.containers.lists import VIEW
 from rosward.models.python.contents import bare, plain_data
-from rosward.models.python.operators.compare import compares, equal
-from rosward.models.python.plain import Raised, all_of, listed, native, origins, unknown_from, with_origins
+from rosward.models.python.operators.compare import compares, equal, row_of
+from rosward.models.python.plain import Raised, all_of, native, origins, unknown_from, with_origins
 from rosward.records import NamedTuple
 
 MAX_ENTRIES: Final = 2_000
@@ -79,7 +78,14 @@ def _look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
     if present is not None and present not in obj.maybe:
         return LookUp(obj.entries[present], False)
     candidates = [present] if present is not None else []
-    if key is None:
+    if present is None and isinstance(key, (Ref, Tuple)) and row_of(machine, key) is not None:
+        alike: dict[Value, bool | None] = {
+            k: equal(machine, k, key) for k in obj.entries if isinstance(k, (Ref, Tuple))
+        }
+        candidates = [k for k, answer in alike.items() if answer is not False]
+        if len(candidates) == 1 and alike[candidates[0]] and candidates[0] not in obj.maybe:
+            return LookUp(obj.entries[candidates[0]], False)
+    elif key is None:
         candidates = [k for k in obj.entries if equal(machine, k, index) is not False]
     values = [obj.entries[k] for k in candidates]
     if obj.rest is not None and (obj.rest_key is None or equal(machine, obj.rest_key, index) is not False):
@@ -100,6 +106,8 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
     index = plain_data(machine, index)
     several = weak or isinstance(index, Choice)
     obj = machine.obj(ref)
+    if isinstance(obj.payload, Value) and not isinstance(obj.payload, Ref):
+        machine.report("RW203", "the defaults of a function, or the annotations of a class, may be changed")
     for option in options(index):
         key = key_of(option)
         if key is None:
@@ -208,13 +216,14 @@ def _in_order(obj: Obj, listed: list[Value], rest: Value | None) -> Items:
 # Methods
 
 
-def _receiver(call: NativeCall) -> Ref | None:
+def receiver(call: NativeCall) -> Ref | None:
+    """The dict that a method is called on; None where it is not known."""
     first = call.args[0] if call.args else None
     return first if isinstance(first, Ref) and call.machine.obj(first).kind == "dict" else None
 
 
 def _get(call: NativeCall) -> Value:
-    ref = _receiver(call)
+    ref = receiver(call)
     if ref is None:
         return unknown_from(call.machine, call.name, "", *call.args)
     found = look_up(call.machine, call.machine.obj(ref), call.args[1])
@@ -222,23 +231,8 @@ def _get(call: NativeCall) -> Value:
     return found.value if found.missing is False else join(found.value, with_origins(default, origins(call.args[1])))
 
 
-def _listing(call: NativeCall) -> Value:
-    """keys, values and items: a list of what they show now."""
-    ref = _receiver(call)
-    if ref is None:
-        return unknown_from(call.machine, call.name, "list", *call.args)
-    obj = call.machine.obj(ref)
-    name = call.name.rpartition(".")[2]
-    items = keys(call.machine, obj) if name == "keys" else values(obj) if name == "values" else pairs(call.machine, obj)
-    if obj.rest is not None:  # where the keys stand that are not known, nobody knows
-        items = Items((), join_all(all_of(items)))
-    made = listed(call.machine, call.name, *items)
-    call.machine.update(made, call.machine.obj(made).replace(payload=VIEW))
-    return made
-
-
 def _set_default(call: NativeCall) -> Value:
-    ref, default = _receiver(call), call.args[2] if len(call.args) > 2 else NONE
+    ref, default = receiver(call), call.args[2] if len(call.args) > 2 else NONE
     if ref is None:
         return unknown_from(call.machine, call.name, "", *call.args)
     found = look_up(call.machine, call.machine.obj(ref), call.args[1])
@@ -248,7 +242,7 @@ def _set_default(call: NativeCall) -> Value:
 
 
 def _update(call: NativeCall) -> Value:
-    ref = _receiver(call)
+    ref = receiver(call)
     if ref is not None:
         for source in call.args[1:2]:
             several = isinstance(source, Choice)
@@ -306,7 +300,7 @@ def _merge_pair(machine: Machine, ref: Ref, pair: Value, weak: bool) -> None:
 
 def _pop(call: NativeCall) -> Value:
     """dict.pop(key, default), and `del dict[key]`."""
-    ref = _receiver(call)
+    ref = receiver(call)
     if ref is None:
         return unknown_from(call.machine, call.name, "", *call.args)
     has_default = len(call.args) > 2
@@ -318,7 +312,7 @@ def _pop(call: NativeCall) -> Value:
 
 
 def _pop_item(call: NativeCall) -> Value:
-    ref = _receiver(call)
+    ref = receiver(call)
     if ref is None:
         return unknown_from(call.machine, call.name, "tuple", *call.args)
     obj = call.machine.obj(ref)
@@ -347,7 +341,7 @@ def _from_keys(call: NativeCall) -> Value:
 
 
 def _clear(call: NativeCall) -> Value:
-    ref = _receiver(call)
+    ref = receiver(call)
     if ref is not None:
         obj = call.machine.obj(ref)
         for key in obj.entries:
@@ -364,15 +358,12 @@ def copy(machine: Machine, ref: Ref) -> Ref:
 
 
 def _copy(call: NativeCall) -> Value:
-    ref = _receiver(call)
+    ref = receiver(call)
     return unknown_from(call.machine, call.name, "dict", *call.args) if ref is None else copy(call.machine, ref)
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "dict.get": native(_get, 2),
-    "dict.keys": native(_listing, 1),
-    "dict.values": native(_listing, 1),
-    "dict.items": native(_listing, 1),
     "dict.setdefault": native(_set_default, 2),
     "dict.update": native(_update, 1),
     "dict.pop": native(_pop, 2),

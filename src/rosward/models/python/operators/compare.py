@@ -48,6 +48,12 @@ _IDENTITY: Final = ("is", "is-not")
 _NEGATED: Final = ("!=", "is-not", "not-in")
 
 
+VIEWED: Final = "_rosward_viewed"
+"""What a view of a dict shows: the dict, and which of keys, values and items."""
+KEYS: Final = Const("keys")
+VALUES: Final = Const("values")
+
+
 @operation
 def compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
     """left op right."""
@@ -59,6 +65,8 @@ def _compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
     if op in ("in", "not-in"):
         decided, more = contains(machine, right, left)
         source |= more
+    elif op not in _IDENTITY and (_is_view(machine, left) or _is_view(machine, right)):
+        decided = _views(machine, op, left, right)
     elif op in ("==", "!="):
         decided = equal(machine, left, right)
     elif op in _IDENTITY:
@@ -68,6 +76,32 @@ def _compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
     if decided is None:
         return unknown_from(machine, op, "bool", left, right)
     return Const(decided is not (op in _NEGATED), source)
+
+
+def _is_view(machine: Machine, value: Value) -> bool:
+    return isinstance(value, Ref) and VIEWED in machine.obj(value).attrs
+
+
+def _views(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
+    """A view of keys or of items compared with another one, or with a set: as sets."""
+    sets = [_plain_set(machine, v) for v in (left, right)]
+    if None in sets:
+        return None
+    return bool(run(operator.eq if op in ("==", "!=") else _ORDER[op], *sets))
+
+
+def _plain_set(machine: Machine, value: Value) -> frozenset[object] | None:
+    """The Python set that a set or view surely is."""
+    obj = machine.obj(value) if isinstance(value, Ref) else None
+    shown = obj.attrs.get(VIEWED) if obj is not None else None
+    items = obj.items if obj is not None and obj.kind == "set" else None
+    if isinstance(shown, Tuple) and isinstance(shown.items[0], Ref) and shown.items[1] != VALUES:
+        table = machine.obj(shown.items[0])
+        if table.rest is None and not table.maybe:
+            pairs = shown.items[1] != KEYS
+            items = tuple(Tuple((k, v)) if pairs else k for k, v in table.entries.items())
+    found = None if items is None else [plain(i) for i in items]
+    return None if found is None or any(i is NOT_PLAIN for i in found) else run(frozenset, found)
 
 
 def _ordered(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
@@ -211,6 +245,9 @@ def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | 
     """At least one object on the heap; the special methods of instances were tried before."""
     kinds = (kind_of(machine, left), kind_of(machine, right))
     if "instance" in kinds or "generator" in kinds or "" in kinds:
+        rows = (row_of(machine, left), row_of(machine, right)) if "instance" in kinds else (None, None)
+        if rows[0] is not None and rows[1] is not None:
+            return _sequences(machine, rows[0].items, rows[1].items, depth)
         return _instances(machine, left, right)
     if kinds[0] != kinds[1]:
         return False
@@ -230,6 +267,20 @@ def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | 
     if kinds[0] == "set" and a.items is not None and b.items is not None:
         return _same_constants(a.items, b.items) if all(isinstance(k, Const) for k in (*a.items, *b.items)) else None
     return None
+
+
+def row_of(machine: Machine, value: Value) -> Tuple | None:
+    """A tuple, or what a named tuple holds where it is one object of a class without an `__eq__` of its own."""
+    if not isinstance(value, Ref):
+        return value if isinstance(value, Tuple) else None
+    obj = machine.obj(value)
+    is_row = isinstance(obj.cls, Class) and any(isinstance(b, Class) and b.name == "_NamedTuple" for b in obj.cls.mro)
+    if not is_row or obj.many or obj.partial or _has_equality(machine, obj.cls):
+        return None
+    fields = machine.load_attr(obj.cls, "_fields")
+    names = [str(n.value) for n in fields.items if isinstance(n, Const)] if isinstance(fields, Tuple) else []
+    held = [obj.attrs[n] for n in names if n in obj.attrs]
+    return Tuple(tuple(held)) if names and len(held) == len(names) else None
 
 
 def _series(machine: Machine, left: Series, right: Series, depth: int) -> bool | None:
@@ -296,6 +347,9 @@ def contains(machine: Machine, container: Value, item: Value) -> tuple[bool | No
     if not isinstance(container, Ref):
         return None, frozenset()
     obj = machine.obj(container)
+    shown = obj.attrs.get(VIEWED)
+    if isinstance(shown, Tuple) and shown.items[1] == KEYS and isinstance(shown.items[0], Ref):
+        obj = machine.obj(shown.items[0])
     if obj.kind in ("list", "set"):
         series = obj.series()
         items = (*series.head, *series.tail)

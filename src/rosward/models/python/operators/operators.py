@@ -23,6 +23,7 @@ from rosward.models.native import Items, Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
 from rosward.models.python.containers.sets import FROZEN, combine, distinct
+from rosward.models.python.containers.views import renewed
 from rosward.models.python.operators.compare import compare, contains, equal, kind_of
 from rosward.models.python.operators.items import load_item, store_item
 from rosward.models.python.plain import (
@@ -302,7 +303,7 @@ def _iterate(machine: Machine, value: Value) -> Items:
 
 
 def _iterate_object(machine: Machine, ref: Ref) -> Items:
-    obj = machine.obj(ref)
+    obj = renewed(machine, ref)
     if obj.kind in ("list", "set"):
         series = obj.series()
         return Items(series.head, series.behind_head())
@@ -318,7 +319,7 @@ def series(machine: Machine, value: Value) -> Series:
         if isinstance(option, Tuple):
             found.append(Series(option.items))
         elif isinstance(option, Ref) and machine.obj(option).kind in ("list", "set"):
-            found.append(machine.obj(option).series())
+            found.append(renewed(machine, option).series())
         elif isinstance(option, Ref) and machine.obj(option).rest is not None:
             return Series(*machine.iterate(value)).loose()  # where the unknown keys of a dict stand, nobody knows
         else:

@@ -173,7 +173,8 @@ def _is_typed(call: NativeCall) -> Value:
     """argparse._is_typed(arguments): whether all that is not known of them is what somebody types."""
     series = call.machine.series(call.args[0])
     words = (*series.head, *series.tail, *(() if series.middle is None else (series.middle,)))
-    known = all(len(options(word)) == 1 for word in (*series.head, *series.tail))
+    given = (*series.head, *series.tail)
+    known = all(len(options(word)) == 1 for word in given) and not any(isinstance(word, Const) for word in given)
     return Const(known and all(r.cause is Cause.ARGUMENT for word in words for r in reasons_of(word)))
 
 

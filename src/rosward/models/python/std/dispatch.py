@@ -8,15 +8,15 @@ describe(5)                       the function of the nearest class of `int`; of
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Sequence
 from typing import Final
 
 from rosward.domain.choice import join_all, lift
-from rosward.domain.compound import BoundMethod, Descriptor, Native, Tuple
+from rosward.domain.compound import BoundMethod, Descriptor, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import TRUE, Function, Ref, Value
+from rosward.domain.values import TRUE, Function, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.python.std.annotations import named, parsed
 
 
 def _classes(call: NativeCall) -> Value:
@@ -32,55 +32,7 @@ def _classes(call: NativeCall) -> Value:
         return call.machine.die(
             "TypeError", "register() takes a class, or a function whose first parameter is annotated"
         )
-    return Tuple(tuple(_named(call.machine, value, _parsed(text))))
-
-
-def _parsed(text: str) -> ast.expr:
-    try:
-        tree = ast.parse(text, mode="eval").body
-        return (
-            ast.parse(tree.value, mode="eval").body
-            if isinstance(tree, ast.Constant) and isinstance(tree.value, str)
-            else tree
-        )
-    except SyntaxError:
-        return ast.Constant(Ellipsis)
-
-
-def _named(machine: Machine, function: Function, tree: ast.expr) -> list[Value]:
-    """The classes that an annotation names; those of a union apart."""
-    if isinstance(tree, ast.BinOp) and isinstance(tree.op, ast.BitOr):
-        return [*_named(machine, function, tree.left), *_named(machine, function, tree.right)]
-    if isinstance(tree, ast.Subscript) and ast.unparse(tree.value).rpartition(".")[2] in ("Union", "Optional"):
-        inner = tree.slice.elts if isinstance(tree.slice, ast.Tuple) else [tree.slice]
-        more = [Native("builtins.NoneType")] if ast.unparse(tree.value).endswith("Optional") else []
-        return [*(c for e in inner for c in _named(machine, function, e)), *more]
-    if isinstance(tree, ast.Constant) and tree.value is None:
-        return [Native("builtins.NoneType")]
-    if isinstance(tree, ast.Name):
-        there = machine.obj(Ref(function.module.address)).attrs.get(tree.id)
-        return [machine.load_attr(function.module, tree.id) if there is not None else _builtin(machine, tree.id)]
-    if isinstance(tree, ast.Attribute):
-        return [machine.load_attr(v, tree.attr) for v in _named(machine, function, tree.value)]
-    return [machine.unknown(Cause.OPERATION, "annotation")]
-
-
-def _builtin(machine: Machine, name: str) -> Value:
-    known = name in (
-        "int",
-        "str",
-        "float",
-        "bool",
-        "list",
-        "dict",
-        "set",
-        "tuple",
-        "bytes",
-        "object",
-        "complex",
-        "frozenset",
-    )
-    return Native(f"builtins.{name}") if known else machine.unknown(Cause.OPERATION, "annotation")
+    return Tuple(tuple(named(call.machine, value.module, parsed(text))))
 
 
 def _choose(call: NativeCall) -> Value:

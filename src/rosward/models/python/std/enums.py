@@ -32,6 +32,8 @@ from rosward.models.python.std.enum_operations import (
 )
 from rosward.models.python.std.support import bare, class_obj, exact_dict, exact_list, names_of
 
+_COMBINED: Final = "_rosward_flags"
+"""Where a class of flags keeps those of several bits that were asked for."""
 _AUTO: Final = "enum.auto()"
 _SEVERAL: Final = (Choice, Text, Unknown)
 _NO_MEMBER: Final = (Function, Descriptor, Class, Native, Partial)
@@ -240,13 +242,26 @@ def _missing(call: NativeCall, cls: Value, value: Const, *, sure: bool) -> Value
         if hook is not None:
             return call.machine.call(hook, (cls, value))
         if is_flag(cls):
-            number = int_of(value)  # up to Python 3.10, several bits have no name
-            name = call.machine.unknown(Cause.LIVE, "name of a flag", "str") if number else NONE
-            attrs: dict[str, Value] = {"_value_": value, "value": value, "name": name, "_name_": name}
-            return call.machine.allocate(Obj("instance", cls, attrs, payload=value), value)
+            return _several_bits(call, cls, value)
         message = f"{value.value!r} is not a valid {cls.qualname}"
         return call.machine.die("ValueError", message, (Const(message),), sure=sure and not value.origins, plain=True)
     return call.machine.unknown(Cause.CALL, "enum.Enum")
+
+
+def _several_bits(call: NativeCall, cls: Class, value: Const) -> Value:
+    """The flag of a value that no member has: made once, so that it is the same object each time."""
+    machine = call.machine
+    made = machine.obj(class_obj(cls)).attrs.get(_COMBINED)
+    known = exact_dict(machine, made) if made is not None else {}
+    if known is not None and value in known:
+        return known[value]
+    # up to Python 3.10, several bits have no name
+    name = machine.unknown(Cause.LIVE, "name of a flag", "str") if int_of(value) else NONE
+    attrs: dict[str, Value] = {"_value_": value, "value": value, "name": name, "_name_": name}
+    flag = machine.allocate(Obj("instance", cls, attrs, payload=value), value)
+    if known is not None:
+        machine.store_attr(cls, _COMBINED, machine.new_dict({**known, value: flag}))
+    return flag
 
 
 def item(call: NativeCall) -> Value:

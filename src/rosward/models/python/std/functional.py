@@ -12,13 +12,15 @@ import itertools
 from collections.abc import Iterable, Sequence
 from typing import Final
 
-from rosward.domain.choice import join_all
-from rosward.domain.compound import Descriptor, Native, Partial, Tuple
+from rosward.domain.choice import join_all, options
+from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial, Tuple
+from rosward.domain.table import marked
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Const, Function, Unbound, Value
-from rosward.models.native import Items, NativeCall, NativeFunction
-from rosward.models.python.builtins.lazy import lazily, stepped
-from rosward.models.python.plain import int_of
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Unbound, Value
+from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
+from rosward.models.python.builtins.lazy import is_drained, lazily, shared, stepped
+from rosward.models.python.plain import int_of, native
 
 MAX_ITEMS: Final = 1_000
 
@@ -36,7 +38,8 @@ def _partial(call: NativeCall) -> Value:
 
 def _wraps(call: NativeCall) -> Value:
     """functools.wraps(f): a decorator that gives a function the name and the docstring of f."""
-    return Partial(Native("functools._wrapped"), call.args[:1], ())
+    updated = tuple((name, value) for name, value in call.keywords.items() if name == "updated")
+    return Partial(Native("functools._wrapped"), call.args[:1], updated)
 
 
 def _wrapped(call: NativeCall) -> Value:
@@ -47,11 +50,35 @@ def _wrapped(call: NativeCall) -> Value:
     wrapped, wrapper = call.args[:2]
     if call.name == "functools.update_wrapper":
         wrapped, wrapper = wrapper, wrapped
-    if isinstance(wrapper, Function):
+    if isinstance(wrapper, Function) or (isinstance(wrapper, Ref) and machine.obj(wrapper).kind == "instance"):
         for name in ("__module__", "__name__", "__qualname__", "__doc__"):
             machine.store_attr(wrapper, name, machine.load_attr(wrapped, name))
+        if call.keywords.get("updated") != Tuple(()):
+            _hand_on(machine, wrapped, wrapper)
         machine.store_attr(wrapper, "__wrapped__", wrapped)
     return wrapper
+
+
+def _hand_on(machine: Machine, wrapped: Value, wrapper: Value) -> None:
+    """What the program set on a function is set on what takes its place, too."""
+    while isinstance(wrapped, BoundMethod):
+        wrapped = wrapped.function
+    kept = machine.function_record(wrapped) if isinstance(wrapped, Function) else None
+    cls = machine.obj(wrapped).cls if isinstance(wrapped, Ref) else None
+    if kept is None and (not isinstance(cls, Class) or cls.stub):
+        return
+    table = machine.load_attr(wrapper, "__dict__")
+    machine.call(machine.load_attr(table, "update"), (machine.load_attr(wrapped, "__dict__"),))
+    owner = machine.obj(table).payload if isinstance(table, Ref) else None
+    if kept is not None and ANY_ATTRIBUTE in kept.partial and isinstance(owner, Ref):
+        record = machine.obj(owner)
+        machine.update(owner, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
+
+
+def _bound(call: NativeCall) -> Value:
+    """function.__get__(object, class): the method of that object; the function itself where there is none."""
+    function, receiver = call.args[:2]
+    return join_all(function if o == NONE else BoundMethod(o, function) for o in options(receiver))
 
 
 def _same(call: NativeCall) -> Value:
@@ -130,7 +157,8 @@ def _combine(call: NativeCall) -> Value:
 def _islice(call: NativeCall) -> Value:
     call.exactly(2)
     bounds = [None if a == NONE else int_of(a) for a in call.args[1:]]
-    if stepped(call, call.args[:1]) and 2 <= len(call.args) <= 4:
+    follow = stepped(call, call.args[:1]) or is_drained(call.machine, call.args[0])
+    if follow and 2 <= len(call.args) <= 4:
         start, stop, step = (NONE, call.args[1], NONE) if len(call.args) == 2 else (*call.args[1:], NONE)[:3]
         begin, width = Const(0) if start == NONE else start, Const(1) if step == NONE else step
         return lazily(call, "islice", call.args[0], begin, stop, width)
@@ -151,7 +179,7 @@ def _followed(call: NativeCall) -> Value:
 
 
 def _zip_longest(call: NativeCall) -> Value:
-    if stepped(call, call.args):
+    if shared(call, call.args):
         return lazily(call, "zip_longest", *call.args, fillvalue=call.keywords.get("fillvalue", NONE))
     inputs = [call.machine.iterate(a) for a in call.args]
     fill = call.keywords.get("fillvalue", NONE)
@@ -187,6 +215,7 @@ def _repeat(call: NativeCall) -> Value:
 NATIVES: Final[dict[str, NativeFunction]] = {
     "functools.partial": _partial,
     "functools.wraps": _wraps,
+    "function.__get__": native(_bound, 2),
     "functools._wrapped": _wrapped,
     "functools.update_wrapper": _wrapped,
     "functools.total_ordering": _same,

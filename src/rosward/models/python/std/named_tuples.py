@@ -54,6 +54,18 @@ def _make(call: NativeCall) -> Value:
     return Class(where.address, name, name, machine.place.file, (base,), base.mro, machine.place, False)
 
 
+def _declare(call: NativeCall) -> Value:
+    """collections._name_fields(cls): what a class derived from `typing.NamedTuple` says of its fields."""
+    machine, cls = call.machine, call.args[0]
+    found = _fields(machine, cls)
+    if found is not None and isinstance(cls, Class):
+        names = Tuple(tuple(map(Const, found[0])))
+        machine.store_attr(cls, "_field_defaults", machine.new_dict(found[1]))
+        machine.store_attr(cls, "_fields", names)
+        machine.store_attr(cls, "__match_args__", names)
+    return NONE
+
+
 def _fields(machine: Machine, instance: Value) -> tuple[tuple[str, ...], dict[Value, Value]] | None:
     cls = machine.obj(instance).cls if isinstance(instance, Ref) else instance
     for base in cls.mro if isinstance(cls, Class) else ():
@@ -111,6 +123,7 @@ def _keys(call: NativeCall) -> Value:
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "collections._make_named_tuple": _make,
+    "collections._name_fields": _declare,
     "collections._fill": _init,
     "collections._items": _items,
     "collections._keys": _keys,

@@ -57,6 +57,8 @@ class OrderedDict(dict):
             dict.update(self, others)
 
 @native
+def _name_fields(cls): ...
+@native
 def _make_named_tuple(base, typename, field_names, defaults): ...
 @native
 def _fill(instance, args, keywords): ...
@@ -67,8 +69,10 @@ def _keys(instance): ...
 
 class _NamedTuple:
     """What a named tuple does; its fields are found by the class."""
-    def __init__(self, *args, **kwargs):
+    def __new__(cls, *args, **kwargs):
+        self = object.__new__(cls)
         _fill(self, args, kwargs)
+        return self
     def __iter__(self):
         return iter(_items(self))
     def __len__(self):
@@ -90,10 +94,10 @@ class _NamedTuple:
     def _asdict(self):
         return dict(zip(_keys(self), _items(self)))
     def _replace(self, **kwargs):
-        return type(self)(**{**self._asdict(), **kwargs})
+        return _NamedTuple.__new__(type(self), **{**self._asdict(), **kwargs})
     @classmethod
     def _make(cls, iterable):
-        return cls(*iterable)
+        return _NamedTuple.__new__(cls, *iterable)
     def index(self, value):
         return _items(self).index(value)
     def count(self, value):
