@@ -60,19 +60,12 @@ class Point(NamedTuple):
         return self._replace(path=tuple(s if s.turn == NO_TURN else s._replace(turn=ANY_TURN) for s in self.path))
 
 
-class Made(NamedTuple):
-    """A call that made a generator: the key of the body, and what its variables held."""
-
-    key: str
-    given: tuple[Value, ...]
-
-
 @final
 class Suspension:
     """A suspended call: each point at which it may stand, with the values that it holds there. `ended`: it may be at its end.
 
     The values are the registers, then `KEPT` ones for each step of a loop over items or a `yield from`, outermost first.
-    `lineage`: the calls of the generators in which it was made, and its own. `shared`: it stands for all calls that are nested too deep.
+    `lineage`: the keys of the bodies of the generators in which it was made, and its own. `shared`: it stands for all calls that are nested too deep.
     """
 
     __slots__ = ("ended", "lineage", "points", "shared")
@@ -82,7 +75,7 @@ class Suspension:
         points: dict[Point, tuple[Value, ...]],
         *,
         ended: bool = False,
-        lineage: tuple[Made, ...] = (),
+        lineage: tuple[str, ...] = (),
         shared: bool = False,
     ) -> None:
         self.points = points

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final, final
 from rosward.domain.choice import join
 from rosward.domain.memory import Heap
 from rosward.domain.state import Merge, State, join_registers, join_states
-from rosward.domain.suspended import Made, Point
+from rosward.domain.suspended import Point
 from rosward.domain.values import UNBOUND, Function, ModuleValue, Value
 from rosward.ir.program import Code
 from rosward.source.location import Place
@@ -68,7 +68,7 @@ class Yielded:
 
     __slots__ = ("context", "function", "item", "lineage", "points", "shared", "state")
 
-    def __init__(self, function: Function, lineage: tuple[Made, ...], *, shared: bool) -> None:
+    def __init__(self, function: Function, lineage: tuple[str, ...], *, shared: bool) -> None:
         self.lineage = lineage
         self.shared = shared
         self.function = function

@@ -144,7 +144,7 @@ class Call:
         self.value: Value = UNBOUND
         self.level = 0  # what Python may raise in it
         self.importing = False  # an import in it may fail
-        self.left: tuple[Value, ...] = ()  # of a step: the value of StopIteration; of a loop: what stands in the registers that it writes,
+        self.left: tuple[Value, ...] = ()  # of a loop: what stands in the registers that it writes,
         self.stands: tuple[Op, int]  # and the operation that ran last, with what that made
         self.asked_for: frozenset[int] = frozenset()
         self.nodes: Answered = ()  # which nodes it asked for

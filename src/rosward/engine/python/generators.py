@@ -15,7 +15,7 @@ from rosward.domain.choice import join, widen
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.state import Merge, State, join_states
-from rosward.domain.suspended import Made, Point, Suspension, add_points
+from rosward.domain.suspended import Point, Suspension, add_points
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
 from rosward.engine import activation, bodies, declared
@@ -44,25 +44,17 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     code = function.code
     caller = machine.frames[-1] if machine.frames else None
     lineage = next((f.yielded.lineage for f in reversed(machine.frames) if f.yielded is not None), ())
-    made = Made(code.key, tuple(registers))
-    depth = sum(each.key == code.key for each in lineage)
-    limit = 1 if machine.precision.coarse else machine.budget.recursion
-    shared = depth >= limit or (made in lineage and _several(machine, registers))
-    if shared:  # made inside one another without end, or of the same objects of which there are many: all of them are one
+    shared = lineage.count(code.key) >= (1 if machine.precision.coarse else machine.budget.recursion)
+    if shared:  # made inside one another without end: all of them are one
         context = machine.context("summary", code.key)
     else:
-        lineage = (*lineage, made)
+        lineage = (*lineage, code.key)
         context = bodies.context_of(machine, code, caller)
     points = {Point(function, context, (), ()): tuple(registers)}
     record = Obj("generator", NONE, payload=Suspension(points, lineage=lineage, shared=shared))
     if shared:
         return Ref(machine.place_at(("generator", code.key, function.cells), record))
     return machine.allocate(record, (code.key, function.cells))
-
-
-def _several(machine: Engine, values: list[Value]) -> bool:
-    """Whether one of some values is an object that stands for several: the same value need not be the same object."""
-    return any(v.__class__ is Ref and machine.obj(v).many for v in values)
 
 
 def advance(machine: Engine, ref: Ref, action: Resumption) -> Stepped:

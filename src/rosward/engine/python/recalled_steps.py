@@ -46,7 +46,7 @@ def recalling(
         item, ended, value = stepped = follow()
         call.level, machine.noted = machine.noted, max(machine.noted, noted)
         if item is not UNBOUND or ended is not None:
-            call.value, call.left = item, (value,)
+            call.value, call.left = item, (value,)  # what StopIteration carries
             recalled.ended(machine, place, key, call, ended)
     finally:
         recalled.closed(machine, call)
