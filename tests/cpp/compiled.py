@@ -16,7 +16,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Container, Iterable
+from collections.abc import Container, Iterable, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -65,7 +65,7 @@ _ALONE: Final = re.compile(
     re.MULTILINE,
 )
 """What has another meaning in a namespace beside other programs: macros, names of the global namespace, specialisations for a library."""
-_PROGRAM: Final = re.compile(r"^@double begin$(.*?)^@double end (\d+)$", re.MULTILINE | re.DOTALL)
+PROGRAM: Final = re.compile(r"^@double begin$(.*?)^@double end (\d+)$", re.MULTILINE | re.DOTALL)
 _SECONDS: Final = 300
 
 Fact = tuple[str, str, str, str]
@@ -232,14 +232,19 @@ def run_many(texts: Iterable[str], folder: Path) -> list[Ran]:
     Each is put into a namespace: its main body has to be `int main(int argc, char ** argv)`, and its macros are those of all that follow.
     """
     texts = list(texts)
+    done = _run(compile_many(texts, folder))
+    found = [read_log(text, int(status)) for text, status in PROGRAM.findall(done.stdout)]
+    assert len(found) == len(texts), done.stdout
+    return found
+
+
+def compile_many(texts: Sequence[str], folder: Path) -> Path:
+    """Compile programs as one, which runs each in a process of its own."""
     includes = dict.fromkeys(line.strip() for text in texts for line in _INCLUDE.findall(text))
     spaces = [f"namespace program{number} {{\n{_INCLUDE.sub('', text)}\n}}" for number, text in enumerate(texts)]
     mains = ", ".join(f"program{number}::main" for number in range(len(texts)))
     main = f"int main(int argc, char ** argv) {{ return rosward_double::run_many({{{mains}}}, argc, argv); }}"
-    done = _run(_compile("\n".join([*includes, '#include "rosward_double/many.hpp"', *spaces, main]), folder))
-    found = [read_log(text, int(status)) for text, status in _PROGRAM.findall(done.stdout)]
-    assert len(found) == len(texts), done.stdout
-    return found
+    return _compile("\n".join([*includes, '#include "rosward_double/many.hpp"', *spaces, main]), folder)
 
 
 def main() -> None:

@@ -154,11 +154,13 @@ def _struct(name: str, definition: Definition | None) -> Iterator[str]:
     yield f"  ROSWARD_DOUBLE_POINTERS({name})"
     yield f"  using Type = {name};"
     yield f"  explicit {name}(rosidl_runtime_cpp::MessageInitialization = rosidl_runtime_cpp::MessageInitialization::ALL) {{}}"
-    for field, kept in definition.fields.items() if definition is not None else ():
+    for field, kept in _fields(definition):
         if kept.type != "*":
             type_ = _type(kept)
             yield f"  using _{field}_type = {type_};"
             yield f"  {type_} {field}{{{'' if kept.default is None else _literal(kept.default)}}};"
+    told = "".join(f' f("{field}", self.{field});' for field, kept in _fields(definition) if kept.type != "*")
+    yield f"  template<typename S, typename F> static void rosward_double_fields(S & self, F && f) {{{told} }}"
     for constant, value in definition.constants.items() if definition is not None else ():
         if isinstance(value, str):
             yield f"  static inline const std::string {constant} = {_literal(value)};"
@@ -167,6 +169,10 @@ def _struct(name: str, definition: Definition | None) -> Iterator[str]:
     yield f"  bool operator==(const {name} &) const {{ return true; }}"
     yield f"  bool operator!=(const {name} &) const {{ return false; }}"
     yield "};"
+
+
+def _fields(definition: Definition | None) -> list[tuple[str, Field]]:
+    return list(definition.fields.items()) if definition is not None else []
 
 
 def _type(field: Field) -> str:

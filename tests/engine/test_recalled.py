@@ -174,7 +174,7 @@ def test_a_handler_sees_what_a_recalled_call_wrote(tmp_path: Path, monkeypatch: 
     (tmp_path / "main.py").write_text(_TRIED, encoding="utf-8")
     recalls = noted_recalls(monkeypatch)
     found = _told(tmp_path)
-    assert any(call.told and call.written and call.raised for call in recalls)
+    assert any(call.told and call.left_in.written and call.raised for call in recalls)
     assert all(f'"/{name}"' in found for name in ("left_done", "left/refused"))
     monkeypatch.setattr(recalled, "place_of", lambda *_: None)
     assert found == _told(tmp_path)

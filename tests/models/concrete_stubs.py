@@ -97,6 +97,7 @@ class Stubs:
             return types.SimpleNamespace(
                 environment=lambda _name: None,
                 unset=lambda _name: False,
+                changes=lambda *_names: lambda function: function,
                 removed=lambda _name: False,
                 variable=lambda _name: None,
                 set_variable=lambda _name, _value: None,

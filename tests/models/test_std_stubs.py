@@ -26,7 +26,7 @@ def parser(stubs: Stubs) -> Any:
 
 @pytest.fixture
 def stubs() -> Stubs:
-    return Stubs(_exact=lambda *_: None)
+    return Stubs(_exact=lambda *_: None, _is_typed=lambda *_: True)
 
 
 def shown(namespace: object) -> dict[str, str]:

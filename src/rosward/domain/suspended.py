@@ -120,8 +120,8 @@ def add_points(
     result = ours
     for point, values in theirs.items():
         key, new = point, values
-        if key not in ours and (anyway := point.syntactic) in result:
-            key, new = anyway, _any_turn(point, values)
+        if key not in ours and point.syntactic in result:
+            key, new = any_turn(point, values)
         old = result.get(key)
         joined = new if old is None else join_values(old, new, merge)
         if joined is not old:
@@ -160,15 +160,15 @@ def _bounded(points: dict[Point, tuple[Value, ...]], merge: Merge) -> dict[Point
             continue
         values: tuple[Value, ...] | None = None
         for point in sorted(group, key=lambda p: p is not place and p != place):
-            more = _any_turn(point, points[point])
+            more = any_turn(point, points[point])[1]
             values = more if values is None else join_values(values, more, merge)
         assert values is not None
         result[place] = values
     return result
 
 
-def _any_turn(point: Point, values: tuple[Value, ...]) -> tuple[Value, ...]:
-    """The values at a point after any number of turns: of what is ahead, anything may come next, any number of times."""
+def any_turn(point: Point, values: tuple[Value, ...]) -> tuple[Point, tuple[Value, ...]]:
+    """The point after any number of turns, and the values there: of what is ahead, anything may come next, any number of times."""
     found, place = list(values), point.function.code.registers
     for step in point.path:
         if step.part in (EACH, YIELD) and place < len(found):
@@ -176,4 +176,4 @@ def _any_turn(point: Point, values: tuple[Value, ...]) -> tuple[Value, ...]:
                 items = [i for o in options(found[place + 1]) if isinstance(o, Tuple) for i in o.items]
                 found[place + 1 : place + KEPT] = [Tuple(()), join_all([*items, found[place + 2]])]
             place += KEPT
-    return tuple(found)
+    return point.syntactic, tuple(found)

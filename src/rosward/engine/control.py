@@ -244,7 +244,7 @@ def until_stable(
         return widen(old, new, reason)
 
     begun = machine.snapshot(frame)
-    known = machine.precision.heads.get((frame.code.key, op.number)) if machine.precision.coarse else None
+    known = machine.precision.rest_of((frame.code.key, op.number)) if machine.precision.coarse else None
     if known is not None:  # where it came to rest before it probably does again
         head = known.joined(machine, begun, widening)
     else:
@@ -286,7 +286,7 @@ def until_stable(
     frame.uncertain -= 1
     machine.precision.fixpoints -= 1
     if machine.precision.coarse:
-        machine.precision.heads[frame.code.key, op.number] = Rest.of(begun, head)
+        machine.precision.comes_to_rest((frame.code.key, op.number), known, Rest.of(begun, head))
     if ended is None:
         _never_ends(machine, frame)
         return False

@@ -62,13 +62,15 @@ class Exits:
 class Yielded:
     """What advancing a generator gives, joined over the points from which it goes on: items, points, the state behind its yields.
 
-    `function` and `context` are those of the call that runs; `lineage` tells in which generators it was made.
+    `function` and `context` are those of the call that runs; `lineage` tells in which generators it was made, and
+    `shared` that it stands for all calls that are nested too deep: their turns are not told apart.
     """
 
-    __slots__ = ("context", "function", "item", "lineage", "points", "state")
+    __slots__ = ("context", "function", "item", "lineage", "points", "shared", "state")
 
-    def __init__(self, function: Function, lineage: tuple[str, ...]) -> None:
+    def __init__(self, function: Function, lineage: tuple[str, ...], *, shared: bool) -> None:
         self.lineage = lineage
+        self.shared = shared
         self.function = function
         self.context = 0
         self.item: Value = UNBOUND

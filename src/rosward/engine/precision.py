@@ -39,6 +39,10 @@ class Effort(NamedTuple):
     coarse: bool
 
 
+Rests = dict["OpKey", "tuple[Rest | None, Rest]"]
+"""By loop, where it came to rest before and where it does now."""
+
+
 @final
 class Precision:
     """The steps and turns that were spent, and what that means for those to come."""
@@ -47,6 +51,7 @@ class Precision:
         "_always_coarse",
         "_begun",
         "_coarse_limit",
+        "_heads",
         "_heavy",
         "_in_callbacks",
         "_repeated",
@@ -56,10 +61,10 @@ class Precision:
         "deadline",
         "fixpoints",
         "given_up",
-        "heads",
         "loop_limit",
         "loops",
         "repeated_in_callbacks",
+        "rests",
         "spent",
         "step_limit",
         "steps",
@@ -80,7 +85,8 @@ class Precision:
         self.begun = 0  # how many loops began
         self.given_up = 0  # how often precision was given up for a loop
         self.turns = 0  # turns followed one by one since the outermost of them began
-        self.heads: dict[OpKey, Rest] = {}  # where loops came to rest; in coarse mode only
+        self._heads: dict[OpKey, Rest] = {}  # where loops came to rest; in coarse mode only
+        self.rests: Rests = {}  # of those that ran in the call that is to be remembered: what stood there before, and behind
         self.spent = 0  # steps of all callbacks, but for those that are running
         self.repeated_in_callbacks = 0  # those of them that were not taken
         self._begun = 0  # how many steps there were when these began
@@ -125,6 +131,32 @@ class Precision:
             self.loop_limit = self._coarse_limit
             self.coarse = self._always_coarse or self.steps > self._coarse_limit
 
+    def rest_of(self, loop: OpKey) -> Rest | None:
+        """Where a loop came to rest when it ran last."""
+        return self._heads.get(loop)
+
+    def comes_to_rest(self, loop: OpKey, before: Rest | None, rest: Rest) -> None:
+        """A loop has come to rest; `before`: what it began with."""
+        if before is not None and rest.says_the_same(before):
+            rest = before
+        self._heads[loop] = rest
+        self.note_rests({loop: (before, rest)})
+
+    def note_rests(self, rests: Rests) -> None:
+        """Loops ran in a call that is to be remembered."""
+        for loop, (before, rest) in rests.items():
+            first = self.rests.get(loop)
+            self.rests[loop] = (before if first is None else first[0], rest)
+
+    def begins_as(self, rests: Rests) -> bool:
+        """Whether all of these loops would begin with what they began with then."""
+        return all(self._heads.get(loop) is before for loop, (before, _) in rests.items())
+
+    def rest_again(self, rests: Rests) -> None:
+        """The same loops have come to rest again."""
+        self._heads.update((loop, rest) for loop, (_, rest) in rests.items())
+        self.note_rests(rests)
+
     # What is done once more
 
     def effort(self) -> Effort:
@@ -132,9 +164,9 @@ class Precision:
         return Effort(self.steps, self.turns, self.turns, self.begun, len(self._heavy), self.given_up, self.coarse)
 
     def was_precise(self, begun: Effort) -> bool:
-        """Whether no precision was given up since; where it had been before, whether no loop was followed by what is kept of it."""
+        """Whether no precision was given up since, or it is still."""
         if begun.coarse:
-            return self.coarse and begun.loops == self.begun
+            return self.coarse
         return not self.coarse and begun.given_up == self.given_up
 
     def since(self, begun: Effort) -> Effort:

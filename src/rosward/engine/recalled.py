@@ -13,15 +13,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join
-from rosward.domain.state import join_objects
+from rosward.domain.state import State, join_objects
 from rosward.domain.values import Value
 from rosward.engine import nodes_asked, schedule
-from rosward.engine.summaries import Call
+from rosward.engine.summaries import Call, Changes
 from rosward.engine.throwing import may_end
 from rosward.engine.told import Kind, told_of
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
+    from rosward.domain.memory import Heap
     from rosward.engine.machine import Engine
     from rosward.engine.told import Telling
 
@@ -45,6 +46,8 @@ def begun(machine: Engine) -> Call:
     call.raised, call.begun_anew = machine.raised, len(machine.summaries.anew)
     call.begun_nodes = len(machine.log.nodes)
     call.around_fresh, machine.summaries.fresh = machine.summaries.fresh, set()
+    call.around_rests, machine.precision.rests = machine.precision.rests, {}
+    call.around_used, machine.summaries.used = machine.summaries.used, {}
     catcher = call.catcher = machine.catchers[-1] if machine.catchers else None
     told = machine.summaries.told if catcher is None else catcher.told
     if told is not None:
@@ -72,6 +75,10 @@ def closed(machine: Engine, call: Call) -> None:
     catcher, call.catcher = call.catcher, None
     call.around_fresh |= machine.summaries.fresh
     machine.summaries.fresh = call.around_fresh
+    within, machine.precision.rests = machine.precision.rests, call.around_rests
+    machine.precision.note_rests(within)
+    call.around_used.update(machine.summaries.used)
+    machine.summaries.used = call.around_used
     if not call.outermost:
         return
     if catcher is None:
@@ -80,12 +87,14 @@ def closed(machine: Engine, call: Call) -> None:
         catcher.told = None
 
 
-def ended(machine: Engine, place: object, key: str, call: Call) -> None:
-    """A call has come to its end: it is remembered if it can be, and is worth it."""
+def ended(machine: Engine, place: object, key: str, call: Call, over: State | None = None) -> None:
+    """A call has come to its end: it is remembered if it can be, and is worth it. `over`: the state in which it may end instead."""
     summaries, heap, state, catcher = machine.summaries, call.heap, machine.state, call.catcher
     call.heap = None
     assert heap is not None
-    if call.before != _before(machine) or not machine.precision.was_precise(call.effort) or not call.done <= state.done:
+    if call.before != _before(machine) or not machine.precision.was_precise(call.effort):
+        return
+    if not call.done <= state.done or (over is not None and not call.done <= over.done):
         return
     call.effort = machine.precision.since(call.effort)
     summaries.vain[key] = vain = summaries.vain.get(key, 0) + 1
@@ -102,14 +111,18 @@ def ended(machine: Engine, place: object, key: str, call: Call) -> None:
         return
     call.told, call.raised = told, machine.raised - call.raised
     call.settled = catcher is not None and catcher.version == state.version
-    call.written = tuple(state.heap.changed_since(heap))
-    call.added = state.done - call.done
+    call.left_in = _changes(call, state, heap)
+    call.over = None if over is None else _changes(call, over, heap)
     call.importing = catcher is not None and catcher.importing
     call.asked_for, call.anew = frozenset(machine.asked_for), frozenset(summaries.anew[call.begun_anew :])
-    changed = {address for address, _ in call.written}
+    changed = {address for address, _ in call.left_in.written}
     changed.update(address for each in told for address, _ in each.objects)
+    if call.over is not None:
+        changed.update(address for address, _ in call.over.written)
     call.fresh = {a: heap.get(a) for a in changed & summaries.fresh - call.asked_for - call.anew}
-    call.addresses = tuple(call.asked_for.union(changed - call.fresh.keys(), call.anew))
+    call.rests, call.used = machine.precision.rests, summaries.used
+    begun_with = [a for before, _ in call.rests.values() if before is not None for a, _ in before.objects]
+    call.addresses = tuple(call.asked_for.union(changed - call.fresh.keys(), call.anew, begun_with))
     call.records = tuple(map(heap.get, call.addresses))
     call.nodes = nodes_asked.answered(machine.log, call.asked_for, call.begun_nodes)
     if len(summaries.calls) > _MOST:
@@ -126,12 +139,20 @@ def known(machine: Engine, place: object) -> Call | None:
             and machine.precision.allows(call.effort)
             and call.done <= state.done
             and call.around == _around(machine)
+            and machine.precision.begins_as(call.rests)
+            and _still_stand(machine, call)
             and nodes_asked.still_holds(machine.log, call.nodes)
             and call.anew.issuperset(machine.unheld.intersection(call.addresses))
             and call.anew <= machine.unheld
         ):
             return call
     return None
+
+
+def _still_stand(machine: Engine, call: Call) -> bool:
+    """Whether the summaries at which a call looked are what they were."""
+    finished = machine.summaries.finished
+    return all(finished.get(key) is one and one.edition == edition for key, (one, edition) in call.used.items())
 
 
 def repeated(machine: Engine, key: str, call: Call) -> Value:
@@ -141,13 +162,7 @@ def repeated(machine: Engine, key: str, call: Call) -> Value:
     if call.told:
         _tell_again(machine, call)
     state = machine.state
-    for address, record in call.written:
-        state.heap[address] = (
-            _over(state.heap.get(address), record, call.fresh[address]) if address in call.fresh else record
-        )
-    state.done |= call.added
-    if call.written or call.added:
-        state.version = machine.fresh_version()
+    change(machine, state, call, call.left_in)
     machine.unheld.difference_update(call.fresh)
     machine.summaries.fresh.update(call.fresh)
     if call.anew:
@@ -156,6 +171,8 @@ def repeated(machine: Engine, key: str, call: Call) -> Value:
     machine.raised += call.raised
     machine.asked_for |= call.asked_for
     machine.precision.repeat(call.effort)
+    machine.precision.rest_again(call.rests)
+    machine.summaries.used.update(call.used)
     if machine.catchers:
         machine.noted = max(machine.noted, call.level)
         if call.importing:
@@ -163,6 +180,22 @@ def repeated(machine: Engine, key: str, call: Call) -> Value:
         if call.settled:
             machine.catchers[-1].version = state.version
     return call.value
+
+
+def change(machine: Engine, state: State, call: Call, changes: Changes) -> None:
+    """Make a state that a call begins in one that it left."""
+    for address, record in changes.written:
+        state.heap[address] = (
+            _over(state.heap.get(address), record, call.fresh[address]) if address in call.fresh else record
+        )
+    state.done |= changes.done
+    if changes.written or changes.done:
+        state.version = machine.fresh_version()
+
+
+def _changes(call: Call, state: State, before: Heap) -> Changes:
+    """What is otherwise in a state that a call left."""
+    return Changes(tuple(state.heap.changed_since(before)), state.done - call.done)
 
 
 def _over(found: Obj | None, record: Obj, before: Obj | None) -> Obj:
@@ -217,6 +250,7 @@ def _before(machine: Engine) -> tuple[object, ...]:
     return (
         summaries.provisional,
         summaries.asked,
+        summaries.open,
         len(machine.log.ends) - summaries.uncaught,
         machine.schedule_book.spins,
         machine.schedule_book.asked,

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.heap import Obj
+from rosward.domain.heap import Obj, alike
 from rosward.domain.state import Merge, join_objects, join_registers
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine.frame import Snapshot
@@ -34,6 +34,17 @@ class Rest(NamedTuple):
         before = begun.state.heap
         changed = rest.state.heap.changed_since(before)
         return cls(registers, tuple((address, obj) for address, obj in changed if address in before))
+
+    def says_the_same(self, other: Rest) -> bool:
+        """Whether a run that starts from the one ends as one that starts from the other does."""
+        return (
+            self.registers == other.registers
+            and len(self.objects) == len(other.objects)
+            and all(
+                a == b and (one is two or alike(one, two))
+                for (a, one), (b, two) in zip(self.objects, other.objects, strict=True)
+            )
+        )
 
     def joined(self, machine: Execution, begun: Snapshot, merge: Merge) -> Snapshot:
         """A beginning of the same loop, with what its turns may make of it."""

@@ -31,15 +31,23 @@ class Stepped(NamedTuple):
 
 @final
 class Running:
-    """A generator that is being advanced, and what this gave so far: for calls that are nested too deep, and ask for it again."""
+    """A generator that is being advanced, and what this gave so far: for calls that are nested too deep, and ask for it again.
 
-    __slots__ = ("asked", "before", "state", "stepped")
+    `within`: the same of those that stand for many, too, and are advanced inside of it, by address and how they are resumed.
+    """
 
-    def __init__(self, before: State) -> None:
+    __slots__ = ("asked", "asks", "before", "shared", "state", "stepped", "turn", "unsettled", "within")
+
+    def __init__(self, before: State, *, shared: bool) -> None:
         self.before = before
-        self.asked = False
+        self.shared = shared  # it stands for all calls that are nested too deep
+        self.turn = -1  # in which it ran last
+        self.asked = False  # in this turn
+        self.asks = 0  # how often something was made of what is not its last word, in all turns
+        self.unsettled = False  # one within gave more in this turn than before
         self.stepped = Stepped(UNBOUND, None, UNBOUND)
         self.state: State | None = None  # behind the item
+        self.within: dict[tuple[int, Resumption], Running] = {}
 
     @property
     def versions(self) -> tuple[object, ...]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, final
 
 from rosward.domain.memory import SHIFT
 from rosward.domain.values import UNBOUND, Value
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from rosward.domain.state import EventKey, State
     from rosward.engine.catcher import Catcher
     from rosward.engine.nodes_asked import Answered
-    from rosward.engine.precision import Effort
+    from rosward.engine.precision import Effort, Rests
     from rosward.engine.told import Telling, Told
     from rosward.ir.ops import Op
     from rosward.ir.program import OpKey
@@ -34,6 +35,7 @@ class Summary:
         "before",
         "begun",
         "catcher",
+        "edition",
         "joined",
         "pages",
         "provisional",
@@ -54,6 +56,7 @@ class Summary:
         self.begun = before.done  # what had surely happened before its body ran last
         self.whole = False  # who calls sees all of the states behind, not only what the body changed
         self.provisional = False  # it was made of another summary that was unfinished then
+        self.edition = 0  # how often its body began to run for more calls than before
         self.turn = -1  # the turn of the outermost summary in which it was made last
         self.pages: tuple[int, dict[int, list[int]]] = 0, {}  # how many addresses were asked for, and these by page
 
@@ -77,16 +80,28 @@ class Summary:
         return (tuple(self.registers), self.before.version, self.value, after)
 
 
+Used = dict[object, tuple[Summary, int]]
+"""Summaries by what they are of, each with its edition."""
+
+
+class Changes(NamedTuple):
+    """What is otherwise in a state that a call left: the records that it wrote, and what surely happened in it."""
+
+    written: tuple[tuple[int, Obj], ...]
+    done: frozenset[EventKey]
+
+
 @final
 class Call:
     """One call: what it found, and what it left (`recalled.py`)."""
 
     __slots__ = (
-        "added",
         "addresses",
         "anew",
         "around",
         "around_fresh",
+        "around_rests",
+        "around_used",
         "asked_for",
         "before",
         "begun_anew",
@@ -99,16 +114,19 @@ class Call:
         "heap",
         "importing",
         "left",
+        "left_in",
         "level",
         "nodes",
         "outermost",
+        "over",
         "raised",
         "records",
+        "rests",
         "settled",
         "stands",
         "told",
+        "used",
         "value",
-        "written",
     )
 
     def __init__(self, state: State, around: tuple[object, ...], before: tuple[object, ...], effort: Effort) -> None:
@@ -137,10 +155,14 @@ class Call:
             int, Obj | None
         ] = {}  # variables of calls within that it made, whatever stood there; and what did
         self.around_fresh: set[int] = set()  # those of what runs around, until it ends
+        self.rests: Rests = {}  # where loops came to rest in it
+        self.around_rests: Rests = {}  # those of what runs around, until it ends
+        self.used: Used = {}  # the finished summaries at which it looked
+        self.around_used: Used = {}  # those of what runs around, until it ends
         self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
         self.records: tuple[Obj | None, ...] = ()  # what stood there
-        self.written: tuple[tuple[int, Obj], ...] = ()
-        self.added: frozenset[EventKey] = frozenset()  # what surely happened in it
+        self.left_in: Changes  # the state behind it,
+        self.over: Changes | None = None  # and that in which a step of a generator is at its end instead
 
 
 @final
@@ -158,6 +180,7 @@ class Summaries:
         "large",
         "loops",
         "memo",
+        "open",
         "provisional",
         "recursive",
         "running",
@@ -165,6 +188,7 @@ class Summaries:
         "told",
         "turns",
         "uncaught",
+        "used",
         "vain",
     )
 
@@ -183,6 +207,8 @@ class Summaries:
         self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
         self.loops: dict[OpKey, tuple[tuple[int, ...], tuple[int, ...]] | None] = {}  # which registers loops use
         self.asked = 0  # how often a call looked at more than records: at a summary, a generator that runs, a frame
+        self.open = 0  # how often at a summary of a recursion that is still being solved
+        self.used: Used = {}  # the finished summaries at which the call that is to be remembered looked
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one
         self.told: list[Telling | None] | None = (

@@ -29,11 +29,11 @@ if TYPE_CHECKING:
 
 def summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """What a call gives by the summary of its function."""
-    machine.summaries.asked += 1
+    summaries = machine.summaries
     key = (function.code.key, (function.cells, machine.language.instance(machine, function, registers)))
     if machine.watch is not None:
         machine.watch.summary(machine, function.code, machine.context("summary", function.code.key))
-    running = machine.summaries.running.get(key)
+    running = summaries.running.get(key)
     reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
 
     def widening(old: Value, new: Value) -> Value:
@@ -44,22 +44,31 @@ def summarised(machine: Engine, function: Function, registers: list[Value]) -> V
     if len(machine.frames) >= machine.budget.depth * 2:
         raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
     called = machine.state
-    summary = machine.summaries.finished.pop(key, None) if machine.precision.coarse else None
+    summary = summaries.finished.pop(key, None) if machine.precision.coarse else None
     if summary is None:
         summary = Summary(list(registers), called.copy())
     else:
-        known = not summary.provisional or not machine.summaries.running or summary.turn == machine.summaries.turns
+        known = not summary.provisional or not summaries.running or summary.turn == summaries.turns
         join_call = _join_whole if summary.whole else _take_in
         changed = join_call(machine, summary, registers, widening)
         if known and not changed:  # a call like those before
-            machine.summaries.finished[key] = summary
-            machine.summaries.provisional += summary.provisional and bool(machine.summaries.running)
+            summaries.finished[key] = summary
+            if summary.provisional:
+                summaries.provisional += bool(summaries.running)
+                summaries.asked += 1
+            else:
+                summaries.used[key] = (summary, summary.edition)
             return _of_summary(machine, summary, called)
         if changed and not summary.whole:  # else what it gave is joined with what it gives, and comes to rest
             summary.value, summary.after, summary.catcher = UNBOUND, None, None
+    outermost, open_ones = not summaries.running, (summaries.provisional, summaries.open)
     _solve(machine, summary, function, key, widening)
+    if machine.precision.coarse:
+        summaries.asked += 1  # there is another summary behind it than before
+    elif outermost:  # all that was asked for within is answered: what runs around may be remembered
+        summaries.provisional, summaries.open = open_ones
     if summary.catcher is not None:
-        machine.summaries.finished[key] = summary
+        summaries.finished[key] = summary
     return _of_summary(machine, summary, called)
 
 
@@ -67,6 +76,7 @@ def _inside(machine: Engine, summary: Summary, registers: list[Value], merge: Me
     """A call inside a recursion that is being solved: what is known of it so far."""
     _join_whole(machine, summary, registers, merge)
     machine.summaries.provisional += 1  # what is computed from it now may not be its last word
+    machine.summaries.open += 1
     machine.asked_for |= summary.asked_for
     if summary.after is None:
         return UNBOUND
@@ -148,6 +158,7 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
     summaries = machine.summaries
     outer, outermost = machine.catchers, not summaries.running
     summaries.running[key] = summary
+    summary.edition += 1
     if machine.precision.coarse:
         summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
         machine.catchers = [*outer, summary.catcher]

@@ -196,6 +196,8 @@ def _all_elements(call: NativeCall) -> Mark:
     for mark in call.marks:
         found = found.joined(elements(call.walker, mark))
         size |= mark.mask | memory.size(mark.roots)
+    if call.name.removeprefix("builtins.") in _CHOOSING:
+        size |= memory.deep(found)
     pairs = _PAIRS.get(call.name.rpartition(".")[2])
     if pairs is not None:
         pair: Root = call.walker.shape.made(call.body.activation, call.op.number, "pair", "tuple")
@@ -203,6 +205,10 @@ def _all_elements(call: NativeCall) -> Mark:
         memory.place(pair, content)
         return call.new(Content(0, Mark(call.pc, frozenset((pair,))), size))
     return call.new(Content(0, found.under(call.pc), size))
+
+
+_CHOOSING: Final = frozenset(("filter", "set.union", "set.intersection", "set.difference", "set", "frozenset"))
+"""What is in their result depends on what the elements are, and so does how much that is."""
 
 
 def _numbered(call: NativeCall, size: int) -> Content:

@@ -44,6 +44,12 @@ def _known(_walker: Walker, op: Any, body: Body, _seen: Seen) -> None:
     body.registers[op.dst] = Mark(body.pc)
 
 
+def _type_of_value(walker: Walker, op: cpp.TypeOfValue, body: Body, _seen: Seen) -> None:
+    """`typeid(*shape)`: which class it is, is decided by what decides which object it is."""
+    source = body.registers[op.src]
+    body.registers[op.dst] = Mark(body.pc | demoted(source.mask | value(walker, source).mask))
+
+
 def _name(walker: Walker, op: cpp.Name, body: Body, seen: Seen) -> None:
     """A variable of a scope, a member of `this`, a function, a type."""
     given = acts(walker, op, body, seen, []) if seen.callees or seen.summaries or seen.bound else None
@@ -150,8 +156,7 @@ def _item(walker: Walker, op: cpp.Item, body: Body, seen: Seen) -> None:
         key = constant(seen, op.index)
         for root in held.roots:
             found = found.joined(walker.memory.read((root,), key) if key is not None else walker.memory.of(root).whole)
-        if not held.roots:
-            found = found.joined(_behind(walker, owner, key))
+        found = found.joined(_behind(walker, held if held.roots else owner, key))
     found = found if given is None else found.joined(given)
     mark = settled(walker, found, seen, body)
     body.registers[op.dst] = Mark(mark.mask | arising(walker, seen, read=True), mark.roots)
@@ -194,7 +199,7 @@ def _address_of(walker: Walker, op: cpp.AddressOf, body: Body, seen: Seen) -> No
 
 
 def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
-    target, source = body.registers[op.slot], body.registers[op.src]
+    target, source = _through(walker, body.registers[op.slot], seen), body.registers[op.src]
     given = acts(walker, op, body, seen, [target, source], certain=True) if is_busy(seen) else None
     mark = value(walker, source)
     written = copied(mark, seen).under(under_choice(body, target))
@@ -212,6 +217,16 @@ def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
         write(walker, target, written, sure=not seen.reasons)
     if op.dst != ops.NO_REGISTER:
         body.registers[op.dst] = settled(walker, Mark(target.mask, target.roots), seen, body)
+
+
+def _through(walker: Walker, target: Mark, seen: Seen) -> Mark:
+    """Where an assignment writes: to what a `std::reference_wrapper` refers to, where that is what was seen written."""
+    mine = {slot_of(r)[0] if is_slot(r) else r for r in target.roots}
+    others = seen.wrote - set(seen.made)
+    if not others or mine & others or seen.bound or not slots(target) or any(isinstance(r, int) for r in target.roots):
+        return target
+    mask = target.mask | value(walker, target).mask
+    return Mark(mask, nameless(target) | frozenset(("slot", each, None, "any") for each in others))
 
 
 def _step(walker: Walker, op: cpp.Step, body: Body, seen: Seen) -> None:
@@ -237,7 +252,7 @@ def _lambda(walker: Walker, op: cpp.MakeLambda, body: Body, seen: Seen) -> None:
         walker.memory.write_any([root], NOTHING, body.pc)
         old = walker.memory.of(root).slots.get(number, NOTHING)
         walker.memory.write(frozenset((root,)), number, old.joined(mark))
-    body.registers[op.dst] = Mark(body.pc, frozenset(seen.refs))
+    body.registers[op.dst] = Mark(body.pc, frozenset((*seen.refs, root)))
 
 
 def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen: Seen) -> None:
@@ -325,8 +340,9 @@ def _computed(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
 
 TABLE: Final[dict[type[ops.Op], Any]] = {
     **cpp_making.TABLE,
-    **dict.fromkeys((cpp.MakeType, cpp.TypeOfValue, cpp.Declared, cpp.LocalSymbol, cpp.UnknownValue), _known),
+    **dict.fromkeys((cpp.MakeType, cpp.Declared, cpp.LocalSymbol, cpp.UnknownValue), _known),
     cpp.Name: _name,
+    cpp.TypeOfValue: _type_of_value,
     cpp.CellSlot: _cell_slot,
     cpp.Read: _read,
     ops.LoadCell: _load_cell,

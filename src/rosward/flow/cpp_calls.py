@@ -7,7 +7,7 @@ law->law(x);          the bodies of all classes that the object may have, each f
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -172,6 +172,15 @@ def _effects(walker: Walker, function: Function, given: list[Mark], pc: int) -> 
     return brought
 
 
+def defaults(walker: Walker, seen: Seen, everything: Mark, pc: int, but: Collection[object]) -> None:
+    """The first values of the fields that nothing is written for, some of which read others."""
+    bound = {b.function.code.key for b in seen.bound.values()}
+    for key, activations in walker.bodies_of(seen).items():
+        for activation in () if key in bound else activations:
+            if activation.code.parameters.names[:1] == ("this",) and activation.code.name not in but:
+                _thunk(walker, activation, everything, pc)
+
+
 def _thunk(walker: Walker, activation: Activation, everything: Mark, pc: int) -> Mark:
     """A body that nothing calls with arguments: the first value of a field stands in it afterwards, a type is a type."""
     named_so = activation.code.parameters.names[:1] == ("this",)
@@ -183,7 +192,9 @@ def _thunk(walker: Walker, activation: Activation, everything: Mark, pc: int) ->
     result = walker.enter(activation, marks, pc)
     if named_so and places:
         for root in places[0]:
-            walker.memory.write(frozenset((root,)), activation.code.name, value(walker, result))
+            found = value(walker, result)  # of a pointer, what it leads to stays
+            mark = Mark(found.mask, found.roots | slots(result))
+            walker.memory.write(frozenset((root,)), activation.code.name, mark)
         return Mark(pc)
     return result
 

@@ -10,22 +10,27 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from rosward.domain.values import Ref
+from rosward.domain.values import NONE, Ref, Value
 from rosward.engine.seen import Bound, Seen, refs_of
 from rosward.flow import cpp_calls, cpp_outside
 from rosward.flow.body import Body
 from rosward.flow.content import Content
 from rosward.flow.cpp_acts import acts, is_busy
 from rosward.flow.cpp_values import (
+    consists_of,
     copied,
     copies,
     elements,
     field,
+    handed,
+    in_braces,
     keys,
     nameless,
     operands,
+    parts_of,
     settled,
     slots,
+    sources,
     value,
     write,
 )
@@ -55,7 +60,9 @@ def _construct(walker: Walker, op: cpp.Construct, body: Body, seen: Seen) -> Non
     for mark in marks:
         found = found.joined(value(walker, mark))
     if not seen.natives:
-        _aggregate(walker, seen, places, marks)
+        written = _aggregate(walker, op, seen, places, marks)
+        if written and seen.callees:
+            cpp_calls.defaults(walker, seen, found, body.pc, written)
     if places:
         mask = body.pc | demoted(given.mask if given is not None else 0)
         body.registers[op.dst] = Mark(mask, frozenset(seen.refs))
@@ -68,62 +75,60 @@ def _construct(walker: Walker, op: cpp.Construct, body: Body, seen: Seen) -> Non
     body.registers[op.dst] = settled(walker, copied(found, seen), seen, body)
 
 
-def _aggregate(walker: Walker, seen: Seen, places: list[int], marks: list[Mark]) -> None:
-    """`Point{x, y}` of a class without a constructor: the fields in their order."""
-    built = {p for b in seen.bound.values() if b.given for p in b.given[0].places if b.function.code.name[:1] != "~"}
-    for place in places:
-        record = walker.shape.record(place)
-        site = seen.made.get(place)
-        if not marks or record is None or place in built:
+def _aggregate(walker: Walker, op: cpp.Construct, seen: Seen, places: list[int], marks: list[Mark]) -> set[object]:
+    """`Point{x, y}` of a class without a constructor: the fields in their order. The names of those that are written."""
+    written: set[object] = set()
+    built = _built(seen)
+    for place in places if marks else ():
+        parts = parts_of(walker, place)
+        if place in built or not (seen.made.get(place) == "object" or walker.shape.kind(place) == "list"):
             continue
-        given = _braced(walker, marks)
-        if record.kind == "list":
-            _give_elements(walker, place, given, marks)
-        if site != "object":
-            continue
-        names = list(record.attrs)
-        if given is None or len(given) > len(names):
-            whole = NOTHING
-            for mark in marks:
-                whole = whole.joined(value(walker, mark))
-            walker.memory.write_any([place], Mark(walker.memory.deep(whole), whole.roots))
-            continue
-        for name, mark in zip(names, given, strict=False):
-            _give_field(walker, seen, place, name, mark)
-
-
-def _give_elements(walker: Walker, place: int, given: list[Mark] | None, marks: list[Mark]) -> None:
-    """`double both[2] = {a, b}`."""
-    for number, mark in enumerate(marks if given is None else given):
-        found = value(walker, mark)
+        given = _braced(walker, op, marks, parts)
         if given is None:
-            walker.memory.write_any([place], Mark(walker.memory.deep(found), found.roots))
-        else:
-            walker.memory.write(frozenset((place,)), number, found)
+            mask, roots = 0, frozenset[Root]()
+            for mark in marks:
+                held = value(walker, mark)
+                mask, roots = mask | walker.memory.deep(held), roots | held.roots
+            walker.memory.write_any([r for r in consists_of(walker, place) if r not in built], Mark(mask, roots))
+            continue
+        for key, mark in given.items():
+            _give_part(walker, seen, place, key, mark, parts.get(key, NONE))
+        written |= given.keys()
+    return written
 
 
-def _braced(walker: Walker, marks: list[Mark]) -> list[Mark] | None:
-    """The arguments, of one pair of braces what is in it; None where the order is not known."""
-    if len(marks) != 1:
-        return marks
-    roots = [r for r in marks[0].roots if not isinstance(r, int) and r[0] == "tuple"]
-    if len(roots) != 1:
-        return marks
-    held = walker.memory.of(roots[0]).slots
-    return [held[n] for n in range(len(held))] if all(n in held for n in range(len(held))) else None
+def _built(seen: Seen) -> set[Root]:
+    """The objects for which a constructor runs."""
+    return {p for b in seen.bound.values() if b.given for p in b.given[0].places if b.function.code.name[:1] != "~"}
 
 
-def _give_field(walker: Walker, seen: Seen, owner: int, name: str, mark: Mark) -> None:
-    """The first value of a field: an object by value is another one."""
-    found = copied(value(walker, mark), seen)
-    record = walker.shape.record(owner)
-    held = None if record is None else record.attrs.get(name)
-    if held.__class__ is Ref and held is not None:
+def _braced(
+    walker: Walker, op: cpp.Construct, marks: list[Mark], parts: dict[object, Value]
+) -> dict[object, Mark] | None:
+    """What is given for each part; None where that is not known."""
+    given: dict[object, Mark] = dict(enumerate(marks))
+    braces = in_braces(walker, marks[0]) if len(marks) == 1 else None
+    whole = op.form.startswith("brace") and next(iter(parts.values()), NONE).__class__ is Ref
+    if braces is not None and not (whole and all(isinstance(n, int) for n in braces.slots)):
+        inside = {key: mark.under(braces.base) for key, mark in braces.slots.items()}
+        given = inside if len(inside) <= len(parts) or len(parts) < len(given) else given
+    names = list(parts)
+    if any(isinstance(key, int) and key >= len(names) and names != [] for key in given):
+        return None
+    if any(isinstance(key, str) and key not in parts for key in given):
+        return None
+    return {names[key] if isinstance(key, int) and names else key: mark for key, mark in given.items()}
+
+
+def _give_part(walker: Walker, seen: Seen, owner: int, key: object, mark: Mark, held: Value) -> None:
+    """The first value of a field or element: an object by value is another one."""
+    found = copied(handed(walker, mark), seen)
+    if held.__class__ is Ref:
         inner = next(iter(refs_of(held)))
-        if inner not in found.roots and inner not in seen.made:
+        if inner not in found.roots and inner not in sources(seen).values() and inner not in _built(seen):
             write(walker, Mark(0, frozenset((inner,))), found)
         found = Mark(found.mask, frozenset((inner,)))
-    walker.memory.write(frozenset((owner,)), name, found)
+    walker.memory.write(frozenset((owner,)), key, found)
 
 
 def _initialise(walker: Walker, op: cpp.Initialise, body: Body, seen: Seen) -> bool | None:
@@ -192,7 +197,7 @@ def _one_member(
     for root in this.roots:
         if isinstance(root, int):
             if len(known) == 1 or not fields:
-                _give_field(walker, seen, root, member.name, found)
+                _give_part(walker, seen, root, member.name, found, parts_of(walker, root).get(member.name, NONE))
             else:
                 for inner in fields:
                     walker.memory.write_any([inner], Mark(walker.memory.deep(found), found.roots))
@@ -233,10 +238,11 @@ def _default(walker: Walker, op: cpp.Default, body: Body, _seen: Seen) -> None:
 def _braces(walker: Walker, op: cpp.Braces, body: Body, seen: Seen) -> None:
     root = walker.shape.made(body.activation, op.number, "", "tuple")
     marks = [body.registers[a.register].under(body.pc) for a in op.items]
-    if any(op.names) or any(a.kind == "pack" for a in op.items):
+    if any(a.kind == "pack" for a in op.items) or (any(op.names) and not all(op.names)):
         walker.memory.place(root, Content(0, operands(body, reads(op)), body.pc))
     else:
-        walker.memory.place(root, Content(0, NOTHING, body.pc, dict(enumerate(marks))))
+        keys_of = op.names if any(op.names) else range(len(marks))
+        walker.memory.place(root, Content(0, NOTHING, body.pc, dict(zip(keys_of, marks, strict=False))))
     body.registers[op.dst] = Mark(body.pc, frozenset(seen.refs) | {root})
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from rosward.domain.values import Ref
+from rosward.domain.values import Ref, Value
 from rosward.engine.seen import refs_of
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, slot_of
@@ -175,6 +175,12 @@ def write(walker: Walker, target: Mark, mark: Mark, *, sure: bool = True) -> Non
 def assign(walker: Walker, target: int, mark: Mark, *, sure: bool, depth: int = 0) -> None:
     """An object stays where it is and takes over what others hold."""
     memory, shape = walker.memory, walker.shape
+    braces = in_braces(walker, mark)
+    if braces is not None:
+        if sure and target not in shape.many:
+            memory.place_again(target, Content(mark.mask))
+        take_braces(walker, target, braces, sure=sure, depth=depth)
+        return
     sources = [r for r in mark.roots if r != target]
     plain = mark.mask
     content: Content | None = None
@@ -204,6 +210,64 @@ def assign(walker: Walker, target: int, mark: Mark, *, sure: bool, depth: int = 
         if theirs is not None and theirs.__class__ is Ref:
             part = Mark(plain, frozenset(refs_of(theirs)))
         assign(walker, inner, part, sure=sure, depth=depth + 1)
+
+
+def in_braces(walker: Walker, mark: Mark) -> Content | None:
+    """What stands in a pair of braces, of a value that is nothing else."""
+    roots = [r for r in mark.roots if r.__class__ is not int and r[0] == "tuple"]  # type: ignore[index]  # it is a tuple
+    if len(roots) != 1:
+        return None
+    found = walker.memory.of(roots[0])
+    led = found.any.roots.union(*[held.roots for held in found.slots.values()])
+    return found if found.slots and mark.roots - {roots[0]} <= led else None
+
+
+def handed(walker: Walker, mark: Mark) -> Mark:
+    """What is given for a part of an object: a value, or a pair of braces."""
+    if in_braces(walker, mark) is None:
+        return value(walker, mark)
+    return Mark(mark.mask, frozenset(r for r in nameless(mark) if r[0] == "tuple"))  # type: ignore[index]  # it is a tuple
+
+
+def take_braces(walker: Walker, target: int, braces: Content, *, sure: bool, depth: int = 0) -> None:
+    """`line = {start, {1, 2}}`: the parts of an object in their order; those that are objects stay where they are."""
+    memory, parts = walker.memory, parts_of(walker, target)
+    if depth >= _DEEPEST or not parts or any(n not in range(len(parts)) and n not in parts for n in braces.slots):
+        mark = Mark(memory.deep(braces.whole))
+        memory.write_any(consists_of(walker, target), mark, mark.mask)
+        return
+    for number, (key, held) in enumerate(parts.items()):
+        found = braces.slots.get(key, braces.slots.get(number))
+        if found is None:
+            continue
+        mark = handed(walker, found.under(braces.base))
+        if held.__class__ is Ref:
+            for inner in refs_of(held):
+                assign(walker, inner, mark, sure=sure, depth=depth + 1)
+        else:
+            memory.write_any([("slot", target, key, "one")], mark)
+
+
+def parts_of(walker: Walker, address: int) -> dict[object, Value]:
+    """What an object consists of, in its order: the fields by name, the elements of an array by number."""
+    record = walker.shape.record(address)
+    if record is None or record.kind not in ("instance", "list"):
+        return {}
+    if record.kind == "list":
+        return dict(enumerate(record.series().head))
+    return {name: held for name, held in record.attrs.items()}  # noqa: C416 - its keys are wider
+
+
+def consists_of(walker: Walker, address: int, depth: int = 0) -> list[Root]:
+    """An object with all objects that are parts of it."""
+    found: list[Root] = [address]
+    record = walker.shape.record(address)
+    rest = (record.rest,) if record is not None and record.kind == "list" and record.rest is not None else ()
+    for held in (*parts_of(walker, address).values(), *rest):
+        if held.__class__ is Ref and depth < _DEEPEST:
+            for inner in refs_of(held):
+                found += consists_of(walker, inner, depth + 1)
+    return found
 
 
 def under_choice(body: Body, target: Mark) -> int:

@@ -229,16 +229,22 @@ def _has_parameter(call: NativeCall) -> Mark:
 
 def _of_library(call: NativeCall) -> Mark:
     """`_rosward.unknown(…)`: what a library makes of all that it was given."""
-    mask, nodes = call.pc, call.walker.shape.nodes
+    mask = call.pc | _given_to_library(call)
+    if call.key(1) == "cancel request":
+        mask = call.pc | call.walker.sources.data(call.walker.source_here("cancel"))
+    return call.computed(mask)
+
+
+def _given_to_library(call: NativeCall) -> int:
+    """All that the function of a library was given that runs here."""
+    mask, nodes = 0, call.walker.shape.nodes
     for body in reversed(call.walker.bodies):
         if not body.activation.code.file.startswith("models:"):
             break
         for mark in dict.fromkeys((*body.arguments, *body.registers)):
             mask |= call.walker.memory.deep(Mark(mark.mask, mark.roots - nodes))
         mask |= implicit.given_by(call.walker, body.arguments, unseen=True)
-    if call.key(1) == "cancel request":
-        mask = call.pc | call.walker.sources.data(call.walker.source_here("cancel"))
-    return call.computed(mask)
+    return mask
 
 
 def _send_into(call: NativeCall) -> Mark:
@@ -263,11 +269,15 @@ def _arrives(call: NativeCall) -> Mark:
     known = _ARRIVING.get(kind)
     if known is not None:
         mask |= call.walker.sources.data(call.walker.source_here(known))
+    elif kind in _MADE:
+        mask |= _given_to_library(call)
     for root in call.seen.refs:
         call.walker.memory.place(root, Content(base=mask))
     return Mark(mask if not call.seen.refs else call.pc, frozenset(call.seen.refs))
 
 
+_MADE: Final = frozenset(("serialized message", "made from an array"))
+"""What is no arrival, but made of what a library is given."""
 _ARRIVING: Final = {
     "response": "response",
     "feedback": "feedback",

@@ -119,8 +119,8 @@ def external(_walker: Walker, seen: Seen) -> frozenset[Root]:
 
 
 def _of_base(seen: Seen) -> bool:
-    """Whether an attribute is one of a base class that is not known."""
-    return not seen.refs and any(reason.cause is not Cause.MESSAGE for reason in seen.reasons)
+    """Whether an attribute is one of a base class that is not known, or an array of a message, to which somebody may write."""
+    return not seen.refs and (seen.opaque or any(reason.cause is not Cause.MESSAGE for reason in seen.reasons))
 
 
 def _of_model(walker: Walker, op: ops.LoadAttr, body: Body, root: int) -> Mark:
@@ -176,12 +176,22 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         roots.add(of_library(f"{named[1]}.{name}") if named[0] == "external" else part_of(named, name))
     if given is not None:
         mask, roots = mask | given.mask, roots | leads(seen, given)
+        _kept(walker, owner, op.name, given.under(body.pc))
     if not known:
         mask |= arising(walker, seen, read=True)  # what was written here, is known
     if walker.narrowed:  # of the one parameter, what its value leads to is of no interest
         whole = memory.deep(Mark(mask, opaque(Mark(0, frozenset(roots)))))
         mask, roots = narrowed(walker, whole), {r for r in roots if isinstance(r, int)} if whole != mask else roots
     body.registers[op.dst] = memory.told(Mark(mask, frozenset(roots) | external(walker, seen)))
+
+
+def _kept(walker: Walker, owner: Mark, name: str, given: Mark) -> None:
+    """What a `cached_property` gives stands in the object from then on."""
+    for root in owner.roots:
+        record = walker.shape.record(root) if isinstance(root, int) else None
+        if record is not None and record.kind == "instance" and name in record.attrs:
+            old = walker.memory.part(root, name).read(name)
+            walker.memory.set_attribute(frozenset((root,)), name, old.joined(given))
 
 
 def _compare(walker: Walker, op: ops.Compare, body: Body, seen: Seen) -> None:

@@ -19,7 +19,7 @@ from rosward.engine.cpp.types import pointee
 from rosward.engine.frame import Frame
 from rosward.models.cpp.memory import pointer_to
 from rosward.models.cpp.slots import plain_number, read
-from rosward.models.cpp.types import name_of
+from rosward.models.cpp.types import is_reference, name_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -63,11 +63,21 @@ def member(
     if isinstance(owner, Slot) and owner.kind == "entry":  # a pair of a map: what is under the key is that of the map
         return Slot(owner.base, "item", owner.key) if name == "second" else _first(machine, owner)
     found: list[Value] = []
-    for option in options(read(machine, owner)):
+    for option in _led(machine, read(machine, owner), name):
         if option != NONE or len(options(owner)) == 1:
             seen = lexical if declared is None else _seen(machine, option, name, declared) or lexical
             found.append(members.member(machine, option, name, types, seen))
     return join_all(found) if found else machine.unknown(Cause.OPERATION, f"member {name} of a null pointer")
+
+
+def _led(machine: Engine, value: Value, name: str) -> tuple[Value, ...]:
+    """The alternatives of a value; a plain reference to a `std::reference_wrapper` is one to what that refers to."""
+    several = options(value)
+    if name == "get" or not any(map(is_reference, several)):
+        return several
+    return tuple(
+        o for held in several for o in (options(read(machine, held.arguments[0])) if is_reference(held) else (held,))
+    )
 
 
 def _seen(machine: Engine, value: Value, name: str, declared: Callable[[], Value]) -> Info | None:

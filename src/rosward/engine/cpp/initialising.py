@@ -9,17 +9,20 @@ from typing import TYPE_CHECKING
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import TypeOf
-from rosward.domain.values import NONE, UNBOUND, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.cpp import construct
+from rosward.engine.cpp.constructors import constructors
 from rosward.engine.cpp.handing import give_to
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.frame import Frame
 from rosward.ir import cpp
 from rosward.ir.symbols import Symbol
+from rosward.models.cpp.conversions import COMPOUND
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.slots import read
+from rosward.models.cpp.types import shape_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -44,7 +47,23 @@ def made(machine: Engine, type_: Value, args: tuple[Value, ...], form: cpp.Form,
             return held if fresh else copied(machine, held)
         if isinstance(type_, TypeOf) and type_.name == "auto":
             return held if fresh else copied(machine, args[0])
-    return construct.make(machine, type_, args, form)
+    return construct.make(machine, type_, _of_first(machine, type_, args) if form.startswith("brace") else args, form)
+
+
+def _of_first(machine: Engine, type_: Value, args: tuple[Value, ...]) -> tuple[Value, ...]:
+    """`Line line{{start, 2}}`: of an aggregate, the inner braces are those of its first field where that consists of something."""
+    only = args[0] if len(args) == 1 else NONE
+    if not isinstance(only, Tuple) or only.items[:1] == (construct.DESIGNATED,) or not isinstance(type_, Class):
+        return args
+    info = linked(machine).info(type_)
+    if info is None or info.cls is None or len(info.cls.mro) > 2 or constructors(machine, info):
+        return args
+    first = next(iter(info.fields), None)
+    if first is None or first.type is None:
+        return args
+    held = evaluate(machine, first.type, info.env)
+    parts = isinstance(held, Class) or shape_of(held) in COMPOUND
+    return (Tuple(args),) if parts else args
 
 
 def initialise(machine: Engine, op: cpp.Initialise, frame: Frame, given: Given) -> bool:

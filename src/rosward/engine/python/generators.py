@@ -25,6 +25,7 @@ from rosward.engine.frame import Frame, Yielded
 from rosward.engine.python import resume, stepping
 from rosward.engine.python.exceptions import thrown_in
 from rosward.engine.python.raised import may_catch
+from rosward.engine.python.recalled_steps import recalling
 from rosward.engine.stepped import NEXT, Resumption, Running, Stepped
 from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
@@ -65,11 +66,20 @@ def advance(machine: Engine, ref: Ref, action: Resumption) -> Stepped:
     assert isinstance(suspension, Suspension)
     if not all(p.function.code.is_generator for p in suspension.points):
         return _run_coroutine(machine, suspension, action)
-    running = machine.advancing[ref.address] = Running(machine.state.copy())
-    try:
-        return _until_stable(machine, ref, action, running)
-    finally:
-        del machine.advancing[ref.address]
+    if suspension.shared:
+        around = next((r for r in machine.advancing.values() if r.shared), None)
+        if around is not None:
+            return _within(machine, ref, action, around)
+
+    def follow() -> Stepped:
+        running = machine.advancing[ref.address] = Running(machine.state.copy(), shared=suspension.shared)
+        try:
+            return _until_stable(machine, ref, action, running)
+        finally:
+            del machine.advancing[ref.address]
+            machine.summaries.asked -= running.asks  # they are answered: what runs around may be remembered
+
+    return recalling(machine, ref, suspension, action, follow)
 
 
 def _ask(machine: Engine, ref: Ref, running: Running) -> Stepped:
@@ -78,8 +88,20 @@ def _ask(machine: Engine, ref: Ref, running: Running) -> Stepped:
         machine.throw(machine.call_native("builtins.ValueError", ()))
         return Stepped(UNBOUND)
     running.asked = True
-    machine.summaries.asked += 1
+    _count(machine, running)
     running.before = join_states(running.before, machine.state.copy(), machine.fresh_version, _widening(machine))
+    return _so_far(machine, running)
+
+
+def _count(machine: Engine, running: Running) -> None:
+    """Something is made of what is not the last word of a generator, or of those within: it must not be remembered."""
+    counts = next((r for r in machine.advancing.values() if r.shared), running)
+    counts.asks += 1
+    machine.summaries.asked += 1
+
+
+def _so_far(machine: Engine, running: Running) -> Stepped:
+    """What the steps of a generator gave so far; the machine is left in the state behind."""
     item, ended, value = running.stepped
     if running.state is not None:
         machine.state = running.state.copy()
@@ -91,38 +113,66 @@ def _widening(machine: Engine) -> Merge:
     return lambda old, new: widen(old, new, reason)
 
 
+def _merge(machine: Engine, turn: int) -> Merge:
+    return join if turn < machine.budget.widen_after else _widening(machine)
+
+
 def _until_stable(machine: Engine, ref: Ref, action: Resumption, running: Running) -> Stepped:
     """One step. Of generators that are nested too deep to be told apart it may ask for itself: solved by iteration from below."""
     for number in range(machine.budget.fixpoint * 2):
-        merge = join if number < machine.budget.widen_after else _widening(machine)
-        seen, running.asked = running.versions, False
-        item, ended, value = stepped = _once(machine, ref, action)
-        before = running.stepped
-        if not running.asked and before.item is UNBOUND and before.ended is None:
+        seen, running.turn, running.asked, running.unsettled = running.versions, number, False, False
+        stepped, before = _once(machine, ref, action), running.stepped
+        if not running.asked and not running.unsettled and before.item is UNBOUND and before.ended is None:
             return stepped
-        if item is not UNBOUND:
-            old = running.state
-            running.state = (
-                machine.state.copy()
-                if old is None
-                else join_states(old, machine.state.copy(), machine.fresh_version, merge)
-            )
-        if ended is not None and before.ended is not None:
-            ended = join_states(before.ended, ended, machine.fresh_version, merge)
-        running.stepped = Stepped(
-            item if before.item is UNBOUND else merge(before.item, item),
-            before.ended if ended is None else ended,
-            value if before.value is UNBOUND else merge(before.value, value),
-        )
-        if not running.asked or seen == running.versions:
+        _take_in(machine, running, stepped, _merge(machine, number))
+        if not running.unsettled and (not running.asked or seen == running.versions):
             break
         machine.state = running.before.copy()
     else:
         machine.report("RW201", "nested generators did not converge; what they do may be missing")
-    item, ended, value = running.stepped
-    if running.state is not None:
-        machine.state = running.state.copy()
-    return Stepped(item, None if ended is None else ended.copy(), value)
+    return _so_far(machine, running)
+
+
+def _within(machine: Engine, ref: Ref, action: Resumption, around: Running) -> Stepped:
+    """One step of a generator inside of another one, of which both are nested too deep to be told apart.
+
+    In each turn of the outermost it runs once, and again where it is asked from another state: that one has turns until nothing changes.
+    """
+    _count(machine, around)
+    state, merge = machine.state.copy(), _merge(machine, around.turn)
+    running = around.within.get((ref.address, action))
+    if running is None:
+        running = around.within[ref.address, action] = Running(state, shared=True)
+    else:
+        known = running.before.version
+        running.before = join_states(running.before, state, machine.fresh_version, merge)
+        if running.turn == around.turn and running.before.version == known:
+            return _so_far(machine, running)
+    seen, running.turn = running.versions, around.turn
+    machine.advancing[ref.address] = running
+    machine.state = running.before.copy()
+    try:
+        _take_in(machine, running, _once(machine, ref, action), merge)
+    finally:
+        del machine.advancing[ref.address]
+    around.unsettled = around.unsettled or seen != running.versions
+    return _so_far(machine, running)
+
+
+def _take_in(machine: Engine, running: Running, stepped: Stepped, merge: Merge) -> None:
+    """One more turn, which left the machine in the state behind its item."""
+    item, ended, value = stepped
+    before = running.stepped
+    if item is not UNBOUND:
+        state, old = machine.state.copy(), running.state
+        running.state = state if old is None else join_states(old, state, machine.fresh_version, merge)
+    if ended is not None and before.ended is not None:
+        ended = join_states(before.ended, ended, machine.fresh_version, merge)
+    running.stepped = Stepped(
+        item if before.item is UNBOUND else before.item if item is UNBOUND else merge(before.item, item),
+        before.ended if ended is None else ended,
+        value if before.value is UNBOUND else merge(before.value, value),
+    )
 
 
 def _once(machine: Engine, ref: Ref, action: Resumption) -> Stepped:
@@ -142,7 +192,8 @@ def _once(machine: Engine, ref: Ref, action: Resumption) -> Stepped:
     several = len(suspension.points) + suspension.ended > 1
     started = any(not p.path for p in suspension.points)
     at_random = several and (suspension.ended or started or len(suspension.points) > _FEW)
-    result = Yielded(next(iter(suspension.points)).function, suspension.lineage)
+    function = next(iter(suspension.points)).function
+    result = Yielded(function, suspension.lineage, shared=suspension.shared)
     ended: State | None = None
     value: Value = UNBOUND
     if suspension.ended:

@@ -9,7 +9,7 @@ for n in words(): …              a generator runs to its next `yield` before e
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Native, Tuple
@@ -30,6 +30,10 @@ from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
+
+
+_FEW: Final = 3
+"""So many objects are iterated over one by one, whatever their iterators are."""
 
 
 class Begun(NamedTuple):
@@ -290,7 +294,7 @@ def _iterate_choice(machine: Engine, value: Choice) -> Items:
         all_items.append(machine.iterate(option))
         return NONE
 
-    each_apart(machine, [o for o in value.options if o != NONE], one)
+    each_apart(machine, _iterators(machine, [o for o in value.options if o != NONE]), one)
     if not all_items:
         return Items(())
     lengths = {len(i.known) for i in all_items if i.rest is None}
@@ -298,6 +302,22 @@ def _iterate_choice(machine: Engine, value: Choice) -> Items:
         return Items(tuple(join_all(column) for column in zip(*(i.known for i in all_items), strict=True)))
     elements = [e for i in all_items for e in (*i.known, *(() if i.rest is None else (i.rest,)))]
     return Items((), join_all(elements)) if elements else Items(())
+
+
+def _iterators(machine: Engine, several: list[Value]) -> list[Value]:
+    """Values to iterate over; of more than a few objects of the program their iterators, each once: many may have one in common."""
+    if sum(stepping.is_followed(machine, o) for o in several) <= _FEW:
+        return several
+    found: dict[Value, None] = {}
+
+    def make(option: Value) -> Value:
+        iterator = stepping.made(machine, option)
+        if iterator is not UNBOUND:
+            found[iterator] = None
+        return iterator
+
+    each_apart(machine, several, make)
+    return list(found)
 
 
 def _iterate_instance(machine: Engine, value: Value) -> Items:

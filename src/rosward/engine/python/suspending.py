@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.choice import join
 from rosward.domain.compound import Tuple
 from rosward.domain.state import join_states
-from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, Path, PathStep, Point, join_values
+from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, Path, PathStep, Point, any_turn, join_values
 from rosward.domain.values import NONE, UNBOUND, Value
 from rosward.engine.frame import Frame
 from rosward.engine.python import stepping
@@ -112,6 +112,8 @@ def _suspend(
     function = yielded.function
     point = Point(function, yielded.context, frame.cells, path)
     values = (*frame.registers, *own, *kept)
+    if yielded.shared:
+        point, values = any_turn(point, values)
     before = yielded.points.get(point)
     yielded.points[point] = values if before is None else join_values(before, values)
     yielded.item = join(yielded.item, item)

@@ -83,7 +83,8 @@ def initial(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Series:
         return for_each(machine, between(machine, values[0], values[1]), lambda v: element_from(machine, type_, v))
     first = values[0]
     if any(isinstance(option, (Tuple, Ref)) for option in options(first)):
-        return for_each(machine, series_of(machine, first), lambda v: element_from(machine, type_, v))
+        refers = shape_of(argument(type_, 0)) is Shape.REFERENCE
+        return for_each(machine, series_of(machine, first, slots=refers), lambda v: element_from(machine, type_, v))
     many = [int_of(option) for option in options(first)]
     fill = args[1] if len(args) > 1 else None
 

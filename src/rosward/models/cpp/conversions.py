@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward.domain.choice import join_all, lift, options
-from rosward.domain.compound import External, Tuple
+from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
@@ -26,12 +26,13 @@ from rosward.models.cpp.copies import copied, several
 from rosward.models.cpp.number_conversions import NUMBERS
 from rosward.models.cpp.ordering import unique
 from rosward.models.cpp.slots import key_of, new_pair, read, read_field
-from rosward.models.cpp.types import Shape, argument, hint_of, name_of, shape_of
+from rosward.models.cpp.types import REFERENCE, Shape, argument, hint_of, is_reference, name_of, shape_of
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.plain import MAX_ITEMS, from_python, int_of, origins, text_of, unknown_from
 
 __all__ = [
+    "COMPOUND",
     "NULLOPT",
     "as_characters",
     "convert",
@@ -141,6 +142,9 @@ def convert(machine: Machine, value: Value, type_: Value, kind: str = "init", de
     if isinstance(type_, Choice):
         return join_all(convert(machine, value, each, kind, depth) for each in type_.options)
     shape = shape_of(type_)
+    if name_of(type_) == "std.reference_wrapper":
+        is_place = value.__class__ in (Slot, Ref)
+        return Partial(REFERENCE, (value,), ()) if is_place and not is_reference(read(machine, value)) else value
     if shape is Shape.REFERENCE or name_of(type_) == "auto":
         return value
     if name_of(type_) == "std.atomic":
@@ -178,16 +182,16 @@ def owned(machine: Machine, value: Value, type_: Value, depth: int = 0) -> Value
     return held if made else copied(machine, held)
 
 
-_COMPOUND: Final = frozenset({Shape.ARRAY, Shape.LIST, Shape.MAP, Shape.PAIR, Shape.SET, Shape.TUPLE})
+COMPOUND: Final = frozenset({Shape.ARRAY, Shape.LIST, Shape.MAP, Shape.PAIR, Shape.SET, Shape.TUPLE})
 
 
 def is_one(type_: Value, braces: Tuple) -> bool:
     """Whether the inner braces in `std::vector<T> v{{a, b}}` are those of one T."""
     shape = shape_of(type_)
-    if isinstance(type_, Class) or shape not in _COMPOUND:
+    if isinstance(type_, Class) or shape not in COMPOUND:
         return isinstance(type_, Class)
     inner = argument(type_, 0)
-    plain = not isinstance(inner, Class) and shape_of(inner) not in _COMPOUND
+    plain = not isinstance(inner, Class) and shape_of(inner) not in COMPOUND
     several = any(isinstance(item, Tuple) and len(item.items) > 1 for item in braces.items)
     return not (plain and several and shape in (Shape.ARRAY, Shape.LIST, Shape.SET))
 

@@ -23,7 +23,8 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.models.cpp.captures import with_own_cells
 from rosward.models.cpp.characters import character_of
 from rosward.models.cpp.owners import give_away
-from rosward.models.cpp.slots import key_of, read
+from rosward.models.cpp.slots import key_of, read, referred_to
+from rosward.models.cpp.types import is_reference
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.operators import items as python_items
@@ -66,7 +67,11 @@ def write(machine: Machine, slot: Value, value: Value, *, weak: bool = False) ->
         value = copied(machine, value)  # one object for all that are assigned
     for option in several:
         if option.__class__ is Slot:
-            _write(machine, option, value, weak=weak or len(several) > 1)
+            referred = None if is_reference(value) else referred_to(machine, option)
+            if referred is None:
+                _write(machine, option, value, weak=weak or len(several) > 1)
+            else:
+                write(machine, referred, value, weak=weak or len(several) > 1)
         elif isinstance(option, Ref):
             assigned(machine, option, value, weak=weak or len(several) > 1)
         elif isinstance(option, Unknown):

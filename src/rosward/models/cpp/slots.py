@@ -19,6 +19,7 @@ from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Value
 from rosward.models.cpp.typed import unknown_sequence
+from rosward.models.cpp.types import is_reference
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.operators import items as python_items
@@ -34,6 +35,7 @@ __all__ = [
     "plain_number",
     "read",
     "read_field",
+    "referred_to",
     "stored",
     "unfolded",
 ]
@@ -94,6 +96,20 @@ def _read(machine: Machine, slot: Slot) -> Value:
         found = dicts.look_up(machine, machine.obj(base), key)
         return new_pair(machine, key_value(machine, base, key), _initialised(machine, found.value, "element"))
     return _element(machine, base, key)
+
+
+def referred_to(machine: Machine, slot: Slot) -> Value | None:
+    """Where a `std::reference_wrapper` leads that stands at a slot: a plain reference to it leads there."""
+    base, kind, key = slot.fields()
+    if base.__class__ is not Ref:
+        return None
+    obj, held = machine.obj(base), None
+    if kind in ("cell", "field"):
+        held = obj.attrs.get(_VALUE if kind == "cell" else str(key))
+    elif obj.kind == "list" and isinstance(key, Value):
+        number = int_of(key)
+        held = obj.series().element() if number is None else obj.series().at(number)
+    return held.arguments[0] if held is not None and is_reference(held) else None
 
 
 def _initialised(machine: Machine, value: Value, what: str) -> Value:

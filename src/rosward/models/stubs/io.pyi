@@ -53,4 +53,4 @@ class BytesIO(StringIO):
         self._whole = initial_bytes or b''
         self._left = self._whole
     def getbuffer(self):
-        return memoryview(self._whole)
+        return memoryview(self)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`queue`: what is taken out is what was put in; once something else runs, any of it."""
 from _rosward import native, reads_only, spin, unknown
+from collections import deque
 
 @native
 def _any(items): ...
@@ -20,6 +21,13 @@ class Queue:
     def _is_exact(self):
         self._shared = self._shared or not _alone()
         return not self._shared
+    @property
+    def queue(self):
+        found = deque()
+        found._list = self._contents()
+        return found
+    def _contents(self):
+        return self._items if self._is_exact() else self._all
     def put(self, item, block=True, timeout=None):
         if self._is_exact() and not block and self.full():
             raise Full
@@ -56,9 +64,15 @@ class Queue:
         spin()
 
 class LifoQueue(Queue):
+    @property
+    def queue(self):
+        return self._contents()
     def _take(self):
         return self._items.pop()
 class PriorityQueue(Queue):
+    @property
+    def queue(self):
+        return self._contents()
     def _take(self):
         self._items.sort()
         return self._items.pop(0)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`string`: its constants, and templates."""
-from _rosward import ask, native, overridden, pure, reads_only, unknown
+from _rosward import ask, either, native, overridden, pure, reads_only, unknown
 
 pure(__name__)
 
@@ -33,7 +33,7 @@ class Formatter:
             name, spec = unknown('input', 'field of a format', 'str'), unknown('input', 'format of a field', 'str')
             ask(self, 'parse', format_string)
             ask(self, 'get_field', name, args, kwargs)
-            value = ask(self, 'get_value', name, args, kwargs)
+            value = either(ask(self, 'get_value', name, args, kwargs), unknown('input', 'value of a field'))
             ask(self, 'convert_field', value, spec)
             ask(self, 'format_field', value, spec)
             ask(self, 'check_unused_args', set(), args, kwargs)

@@ -130,6 +130,9 @@ bool Core::serve()
       called = entity->serve() || called;
     }
   }
+  if (observed() && called) {
+    parameters->change(*this, ++rounds_);
+  }
   return called;
 }
 }  // namespace rosward_double

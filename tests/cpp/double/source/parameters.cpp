@@ -2,6 +2,7 @@
 // The parameters of a node: declared, overridden, changed, asked.
 #include "rclcpp/parameter.hpp"
 
+#include "rosward_double/contents.hpp"
 #include "rosward_double/core.hpp"
 
 namespace rclcpp
@@ -43,6 +44,34 @@ namespace rosward_double
 {
 using namespace rclcpp;
 
+namespace
+{
+bool is_own(const std::string & name) { return name == "use_sim_time" || name == "start_type_description_service"; }
+
+// What somebody sets a parameter to, where it is observed: a value of the same type.
+ParameterValue arriving(const std::string & name, int turn, const ParameterValue & like)
+{
+  if (!observed() || is_own(name)) {
+    return like;
+  }
+  Contents contents("parameter:" + name, turn);
+  const auto filled = [&contents](auto value) {
+      fill(value, contents);
+      return ParameterValue(value);
+    };
+  switch (like.get_type()) {
+    case PARAMETER_BOOL: return filled(false);
+    case PARAMETER_INTEGER: return filled(int64_t());
+    case PARAMETER_DOUBLE: return filled(0.0);
+    case PARAMETER_STRING: return filled(std::string());
+    case PARAMETER_INTEGER_ARRAY: return filled(std::vector<int64_t>());
+    case PARAMETER_DOUBLE_ARRAY: return filled(std::vector<double>());
+    case PARAMETER_STRING_ARRAY: return filled(std::vector<std::string>());
+    default: return like;
+  }
+}
+}  // namespace
+
 const ParameterValue & Parameters::declare(
   Core & node, const std::string & name, ParameterType type, const ParameterValue & given,
   const rcl_interfaces::msg::ParameterDescriptor & descriptor, bool ignore_override)
@@ -57,7 +86,7 @@ const ParameterValue & Parameters::declare(
     throw exceptions::InvalidParameterTypeException("declaring parameter '" + name + "': no type");
   }
   const auto found = overrides.find(name);
-  const ParameterValue value = found != overrides.end() && !ignore_override ? found->second : given;
+  const ParameterValue value = found != overrides.end() && !ignore_override ? found->second : arriving(name, 0, given);
   if (!descriptor.dynamic_typing && value.get_type() != PARAMETER_NOT_SET && value.get_type() != type) {
     throw exceptions::InvalidParameterTypeException("parameter '" + name + "' has the wrong type");
   }
@@ -153,6 +182,19 @@ SetParametersResult Parameters::apply(Core & node, const std::vector<Parameter> 
     }
   }
   return result;
+}
+
+void Parameters::change(Core & node, int turn)
+{
+  std::vector<Parameter> changed;
+  for (const auto & [name, kept] : declared) {
+    if (!is_own(name) && !kept.descriptor.read_only) {
+      changed.emplace_back(name, arriving(name, turn, kept.value));
+    }
+  }
+  for (const auto & each : changed) {
+    set(node, {each}, true);
+  }
 }
 
 std::vector<SetParametersResult> Parameters::set(Core & node, std::vector<Parameter> changed, bool together)

@@ -180,6 +180,9 @@ def _returned(body: Body, node: Node, value: Node) -> int:
         return dst
     src = body.slot(value)
     kind = declared_type(body, returns.type, returns.declarator, result=True)
+    if has(returns.declarator, POINTERS):  # to an array that stays where it is
+        body.emit(Convert(*body.place(node), dst, src, kind, "init"))
+        return dst
     body.emit(Copy(*body.place(node), dst, src, kind))
     body.emit(Convert(*body.place(node), dst, dst, kind, "init"))
     return dst

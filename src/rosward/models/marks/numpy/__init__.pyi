@@ -29,10 +29,13 @@ divide: ufunc
 maximum: ufunc
 minimum: ufunc
 
+@changes("file")
 @sink("file")
 def save(file, arr, **kwargs): ...
+@changes("fname")
 @sink("file")
 def savetxt(fname, X, **kwargs): ...
+@changes("file")
 @sink("file")
 def savez(file, *args, **kwds): ...
 @source("file")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What asks: each request is answered with nothing but default values, when the node is spun.
+// What asks: each request is answered when the node is spun, with nothing but default values where it is not observed.
 #pragma once
 
 #include <deque>
@@ -11,6 +11,7 @@
 
 #include "rclcpp/callback_group.hpp"
 #include "rclcpp/qos.hpp"
+#include "rosward_double/contents.hpp"
 #include "rosward_double/core.hpp"
 #include "rosward_double/messages.hpp"
 
@@ -103,10 +104,10 @@ public:
 
   using ClientBase::ClientBase;
 
-  FutureAndRequestId async_send_request(SharedRequest)
+  FutureAndRequestId async_send_request(SharedRequest request)
   {
     auto promise = std::make_shared<Promise>();
-    pending_.push_back([promise] { promise->set_value(std::make_shared<Response>()); });
+    pending_.push_back([promise, response = ask(*request)] { promise->set_value(response); });
     return {promise->get_future(), 1};
   }
   template<typename F>
@@ -115,18 +116,29 @@ public:
     if constexpr (std::is_invocable_v<F &, SharedFuture>) {
       std::promise<SharedResponse> promise;
       SharedFuture future = promise.get_future().share();
-      promise.set_value(std::make_shared<Response>());
+      promise.set_value(ask(*request));
       pending_.push_back([future, callback = std::decay_t<F>(std::forward<F>(callback))]() mutable { callback(future); });
       return SharedFutureAndRequestId{future, 1};
     } else {
       std::promise<std::pair<SharedRequest, SharedResponse>> promise;
       SharedFutureWithRequest future = promise.get_future().share();
-      promise.set_value({request, std::make_shared<Response>()});
+      promise.set_value({request, ask(*request)});
       pending_.push_back([future, callback = std::decay_t<F>(std::forward<F>(callback))]() mutable { callback(future); });
       return future;
     }
   }
   bool remove_pending_request(int64_t) { return true; }
   size_t prune_pending_requests() { return 0; }
+
+private:
+  // A request leaves; the answer that will arrive.
+  SharedResponse ask(const Request & request)
+  {
+    rosward_double::leave(std::string("request:") + get_service_name(), request);
+    auto response = std::make_shared<Response>();
+    rosward_double::arrive(std::string("response:") + get_service_name(), asked_++, *response);
+    return response;
+  }
+  int asked_ = 0;
 };
 }  // namespace rclcpp

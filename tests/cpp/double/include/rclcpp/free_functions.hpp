@@ -70,7 +70,7 @@ GenericSubscription::SharedPtr create_generic_subscription(
   const SubscriptionOptions & = {})
 {
   auto made = std::make_shared<GenericSubscription>(
-    node->core()->create("sub", topic, type), [callback]() mutable { rosward_double::hear<SerializedMessage>(callback); });
+    node->core()->create("sub", topic, type), [callback](int turn) mutable { rosward_double::hear<SerializedMessage>(callback, "", turn); });
   node->core()->own(made);
   return made;
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is logged is computed, and said to nobody.
+// What is logged is computed, and said to nobody but an observer.
 #pragma once
 
 #include <sstream>
 #include <string>
+#include <type_traits>
+
+#include "rosward_double/contents.hpp"
 
 namespace rclcpp
 {
@@ -24,18 +27,34 @@ inline Logger get_logger(const std::string & name) { return Logger(name); }
 
 namespace rosward_double
 {
-template<typename ... T>
-void said(const T & ...)
+template<typename T>
+void tell_logged(std::ostream & text, const T & value)
 {
+  if constexpr (std::is_same_v<T, std::ostringstream>) {
+    text << value.str();
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    tell(text, value);
+  } else if constexpr (std::is_convertible_v<const T &, std::string>) {
+    tell(text, std::string(value));
+  }
+}
+template<typename ... T>
+void logged(const T & ... values)
+{
+  if (observed()) {
+    std::ostringstream text;
+    (tell_logged(text, values), ...);
+    said("log", text.str());
+  }
 }
 }  // namespace rosward_double
 
-#define ROSWARD_DOUBLE_SAID(...) rosward_double::said(__VA_ARGS__)
+#define ROSWARD_DOUBLE_SAID(...) rosward_double::logged(__VA_ARGS__)
 #define ROSWARD_DOUBLE_STREAM(logger, stream) \
   do { \
     std::ostringstream rosward_double_stream; \
     rosward_double_stream << stream; \
-    rosward_double::said(logger, rosward_double_stream); \
+    rosward_double::logged(logger, rosward_double_stream); \
   } while (0)
 
 #define RCLCPP_DEBUG(...) ROSWARD_DOUBLE_SAID(__VA_ARGS__)

@@ -33,9 +33,9 @@ template<typename M, typename F, typename Options = rclcpp::SubscriptionOptions>
 std::shared_ptr<rclcpp::Subscription<M>> subscription(Core & node, const std::string & topic, F && callback, const Options & options = {})
 {
   auto name = node.create("sub", topic, wire_name<M>());
-  auto heard = [callback = std::decay_t<F>(std::forward<F>(callback))]() mutable { hear<typename Adapted<M>::heard>(callback); };
+  auto heard = [callback = std::decay_t<F>(std::forward<F>(callback)), name](int turn) mutable { hear<typename Adapted<M>::heard>(callback, name, turn); };
   auto shared = std::make_shared<decltype(heard)>(std::move(heard));
-  auto made = std::make_shared<rclcpp::Subscription<M>>(name, [shared] { (*shared)(); });
+  auto made = std::make_shared<rclcpp::Subscription<M>>(name, [shared](int turn) { (*shared)(turn); });
   const auto state = options.topic_stats_options.state;
   if (state == rclcpp::TopicStatisticsState::Enable || (state == rclcpp::TopicStatisticsState::NodeDefault && node.statistics)) {
     made->statistics = statistics(node, options.topic_stats_options.publish_topic);
@@ -165,7 +165,7 @@ public:
     const std::string & topic, const std::string & type, const QoS &, F callback, const SubscriptionOptions & = {})
   {
     auto made = std::make_shared<GenericSubscription>(
-      core_->create("sub", prefixed(topic), type), [callback]() mutable { rosward_double::hear<SerializedMessage>(callback); });
+      core_->create("sub", prefixed(topic), type), [callback](int turn) mutable { rosward_double::hear<SerializedMessage>(callback, "", turn); });
     core_->own(made);
     return made;
   }

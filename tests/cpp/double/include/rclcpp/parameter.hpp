@@ -226,6 +226,8 @@ struct Parameters
     const rcl_interfaces::msg::ParameterDescriptor & descriptor, bool ignore_override);
   rclcpp::Parameter get(const std::string & name) const;
   bool get(const std::string & name, rclcpp::Parameter & found) const;
+  // Somebody sets each that the program has declared, where it is observed.
+  void change(Core & node, int turn);
   std::vector<rcl_interfaces::msg::SetParametersResult> set(Core & node, std::vector<rclcpp::Parameter> changed, bool together);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What publishes: nobody hears it.
+// What publishes: nobody hears it, but it may be observed.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,7 @@
 
 #include "rclcpp/callback_group.hpp"
 #include "rclcpp/qos.hpp"
+#include "rosward_double/contents.hpp"
 #include "rosward_double/core.hpp"
 #include "rosward_double/messages.hpp"
 
@@ -127,15 +128,17 @@ public:
   using ROSMessageType = MessageT;
   using PublisherBase::PublisherBase;
   template<typename T>
-  void publish(const T &)
+  void publish(const T & message)
   {
+    rosward_double::leave(std::string("topic:") + get_topic_name(), message);
   }
   template<typename T>
-  void publish(std::unique_ptr<T>)
+  void publish(std::unique_ptr<T> message)
   {
+    publish(*message);
   }
   void publish(const SerializedMessage &) {}
-  void publish(LoanedMessage<MessageT> &&) {}
+  void publish(LoanedMessage<MessageT> && message) { publish(message.get()); }
   LoanedMessage<MessageT> borrow_loaned_message() { return {}; }
 };
 

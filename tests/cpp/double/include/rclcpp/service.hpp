@@ -9,6 +9,7 @@
 
 #include "rclcpp/callback_group.hpp"
 #include "rclcpp/qos.hpp"
+#include "rosward_double/contents.hpp"
 #include "rosward_double/core.hpp"
 #include "rosward_double/messages.hpp"
 
@@ -46,7 +47,7 @@ public:
   using SharedPtr = std::shared_ptr<Service>;
   using WeakPtr = std::weak_ptr<Service>;
   using ServiceBase::ServiceBase;
-  void send_response(rmw_request_id_t &, typename ServiceT::Response &) {}
+  void send_response(rmw_request_id_t &, typename ServiceT::Response & response) { leave(response); }
   template<typename F>
   void take(F given)
   {
@@ -56,16 +57,22 @@ public:
         auto header = std::make_shared<rmw_request_id_t>();
         auto request = std::make_shared<Request>();
         auto response = std::make_shared<Response>();
+        rosward_double::arrive(std::string("service:") + this->get_service_name(), this->turns(), *request);
         if constexpr (std::is_invocable_v<F &, decltype(request), decltype(response)>) {
           given(request, response);
+          leave(*response);
         } else if constexpr (std::is_invocable_v<F &, decltype(header), decltype(request)>) {
           given(header, request);
         } else if constexpr (std::is_invocable_v<F &, decltype(header), decltype(request), decltype(response)>) {
           given(header, request, response);
+          leave(*response);
         } else {
           given(this->shared_from_this(), header, request);
         }
       };
   }
+
+private:
+  void leave(const typename ServiceT::Response & response) { rosward_double::leave(std::string("response:") + this->get_service_name(), response); }
 };
 }  // namespace rclcpp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hears: twice a message with nothing but default values.
+// What hears: twice a message, with nothing but default values where it is not observed.
 #pragma once
 
 #include <chrono>
@@ -50,7 +50,7 @@ public:
   using SharedPtr = std::shared_ptr<SubscriptionBase>;
   using ConstSharedPtr = std::shared_ptr<const SubscriptionBase>;
   using WeakPtr = std::weak_ptr<SubscriptionBase>;
-  SubscriptionBase(std::string topic, std::function<void()> callback) : topic_(std::move(topic)), callback_(std::move(callback)) {}
+  SubscriptionBase(std::string topic, std::function<void(int)> callback) : topic_(std::move(topic)), callback_(std::move(callback)) {}
   const char * get_topic_name() const { return topic_.c_str(); }
   size_t get_publisher_count() const { return 1; }
   QoS get_actual_qos() const { return QoS(10); }
@@ -59,14 +59,14 @@ public:
     if (!turn()) {
       return false;
     }
-    callback_();
+    callback_(turns());
     return true;
   }
   std::shared_ptr<rosward_double::Entity> statistics;
 
 private:
   std::string topic_;
-  std::function<void()> callback_;
+  std::function<void(int)> callback_;
 };
 
 template<typename MessageT, typename AllocatorT = std::allocator<void>>
@@ -91,26 +91,35 @@ public:
 
 namespace rosward_double
 {
+// The message that arrives, in the form in which a program takes it.
+template<typename M>
+std::unique_ptr<M> arrived(const std::string & topic, int turn)
+{
+  auto made = std::make_unique<M>();
+  arrive("topic:" + topic, turn, *made);
+  return made;
+}
+
 // Calls what takes a message, in whichever form it does.
 template<typename M, typename F>
-void hear(F & callback)
+void hear(F & callback, const std::string & topic, int turn)
 {
   const rclcpp::MessageInfo info{};
   using Serialized = std::shared_ptr<rclcpp::SerializedMessage>;
   if constexpr (std::is_invocable_v<F &, std::shared_ptr<M>>) {
-    callback(std::make_shared<M>());
+    callback(std::shared_ptr<M>(arrived<M>(topic, turn)));
   } else if constexpr (std::is_invocable_v<F &, const M &>) {
-    callback(M());
+    callback(*arrived<M>(topic, turn));
   } else if constexpr (std::is_invocable_v<F &, std::unique_ptr<M>>) {
-    callback(std::make_unique<M>());
+    callback(arrived<M>(topic, turn));
   } else if constexpr (std::is_invocable_v<F &, Serialized>) {
     callback(std::make_shared<rclcpp::SerializedMessage>());
   } else if constexpr (std::is_invocable_v<F &, std::shared_ptr<M>, const rclcpp::MessageInfo &>) {
-    callback(std::make_shared<M>(), info);
+    callback(std::shared_ptr<M>(arrived<M>(topic, turn)), info);
   } else if constexpr (std::is_invocable_v<F &, const M &, const rclcpp::MessageInfo &>) {
-    callback(M(), info);
+    callback(*arrived<M>(topic, turn), info);
   } else if constexpr (std::is_invocable_v<F &, std::unique_ptr<M>, const rclcpp::MessageInfo &>) {
-    callback(std::make_unique<M>(), info);
+    callback(arrived<M>(topic, turn), info);
   } else {
     static_assert(std::is_invocable_v<F &, Serialized, const rclcpp::MessageInfo &>, "no callback of a subscription");
     callback(std::make_shared<rclcpp::SerializedMessage>(), info);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Actions: a server is asked for two goals, a client is answered.
+// Actions: a server is asked for two goals, a client is answered; with contents, where it is observed.
 #pragma once
 
 #include <array>
@@ -32,12 +32,25 @@ public:
   bool is_active() const { return active_; }
   bool is_executing() const { return active_; }
   void execute() {}
-  void publish_feedback(std::shared_ptr<Feedback>) {}
-  void succeed(std::shared_ptr<Result>) { active_ = false; }
-  void abort(std::shared_ptr<Result>) { active_ = false; }
-  void canceled(std::shared_ptr<Result>) { active_ = false; }
+  void publish_feedback(std::shared_ptr<Feedback> feedback) { rosward_double::leave("feedback:" + name_, *feedback); }
+  void succeed(std::shared_ptr<Result> result) { end(*result); }
+  void abort(std::shared_ptr<Result> result) { end(*result); }
+  void canceled(std::shared_ptr<Result> result) { end(*result); }
+  ServerGoalHandle() = default;
+  ServerGoalHandle(const std::string & name, int turn) : name_(name)
+  {
+    auto goal = std::make_shared<Goal>();
+    rosward_double::arrive("goal:" + name, turn, *goal);
+    goal_ = goal;
+  }
 
 private:
+  void end(const Result & result)
+  {
+    active_ = false;
+    rosward_double::leave("result:" + name_, result);
+  }
+  std::string name_;
   std::shared_ptr<const Goal> goal_ = std::make_shared<Goal>();
   GoalUUID id_{};
   bool active_ = true;
@@ -67,13 +80,14 @@ public:
     if (!turn()) {
       return false;
     }
-    auto handle = std::make_shared<Handle>();
+    auto handle = std::make_shared<Handle>(name, turns());
     if (goal_(handle->get_goal_id(), handle->get_goal()) != GoalResponse::REJECT) {
       accepted_(handle);
       cancel_(handle);
     }
     return true;
   }
+  std::string name;
 
 private:
   GoalCallback goal_;
@@ -150,21 +164,27 @@ public:
     ResultCallback result_callback;
   };
 
-  std::shared_future<typename GoalHandle::SharedPtr> async_send_goal(const Goal &, const SendGoalOptions & options = SendGoalOptions())
+  std::shared_future<typename GoalHandle::SharedPtr> async_send_goal(const Goal & goal, const SendGoalOptions & options = SendGoalOptions())
   {
     auto promise = std::make_shared<std::promise<typename GoalHandle::SharedPtr>>();
     auto handle = std::make_shared<GoalHandle>();
+    rosward_double::leave("goal:" + name, goal);
     pending_.push_back([this, promise, handle, options] {
         promise->set_value(handle);
         if (options.goal_response_callback) {
           options.goal_response_callback(handle);
         }
         if (options.feedback_callback) {
-          options.feedback_callback(handle, std::make_shared<Feedback>());
+          auto feedback = std::make_shared<Feedback>();
+          rosward_double::arrive("feedback:" + name, asked_, *feedback);
+          options.feedback_callback(handle, feedback);
         }
         if (options.result_callback) {
-          options.result_callback(WrappedResult());
+          WrappedResult wrapped;
+          rosward_double::arrive("result:" + name, asked_, *wrapped.result);
+          options.result_callback(wrapped);
         }
+        asked_++;
       });
     return promise->get_future().share();
   }
@@ -181,8 +201,10 @@ public:
   {
     return later<std::shared_ptr<CancelResponse>>(std::move(callback));
   }
+  std::string name;
 
 private:
+  int asked_ = 0;
   template<typename T, typename F>
   std::shared_future<T> later(F callback)
   {
@@ -204,7 +226,7 @@ template<typename ActionT, typename ... Callbacks>
 std::shared_ptr<Server<ActionT>> server(rosward_double::Core & node, const std::string & name, Callbacks && ... callbacks)
 {
   auto made = std::make_shared<Server<ActionT>>(std::forward<Callbacks>(callbacks)...);
-  node.create("as", name, rosidl_generator_traits::name<ActionT>());
+  made->name = node.create("as", name, rosidl_generator_traits::name<ActionT>());
   node.own(made);
   return made;
 }
@@ -212,7 +234,7 @@ template<typename ActionT>
 std::shared_ptr<Client<ActionT>> client(rosward_double::Core & node, const std::string & name)
 {
   auto made = std::make_shared<Client<ActionT>>();
-  node.create("ac", name, rosidl_generator_traits::name<ActionT>());
+  made->name = node.create("ac", name, rosidl_generator_traits::name<ActionT>());
   node.own(made);
   return made;
 }

@@ -22,6 +22,8 @@ class NodeOptions;
 
 namespace rosward_double
 {
+bool observed();  // contents.hpp
+
 // Something of a node that spinning serves: `serve` says whether a function of the program was called.
 class Entity
 {
@@ -30,8 +32,9 @@ public:
   virtual bool serve() { return false; }
 
 protected:
-  // Each callback is called twice in the life of a program.
-  bool turn() { return turns_++ < 2; }
+  // Each callback is called twice in the life of a program, and more often where it is observed.
+  bool turn() { return turns_++ < (observed() ? 4 : 2); }
+  int turns() const { return turns_; }
 
 private:
   int turns_ = 0;
@@ -90,6 +93,7 @@ private:
   std::recursive_mutex mutex_;
   std::vector<std::weak_ptr<Entity>> entities_;
   bool clock_ = false;
+  int rounds_ = 0;
 
 public:
   void follow_clock();  // use_sim_time is true

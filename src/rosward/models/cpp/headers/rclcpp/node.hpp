@@ -579,8 +579,6 @@ public:
   AnyNode * get_node_parameters_interface() const {return _node;}
   AnyNode * get_node_time_source_interface() const {return _node;}
   AnyNode * get_node_type_descriptions_interface() const {return _node;}
-  template<typename InterfaceT>
-  AnyNode * get() const {return _node;}
 
   AnyNode * _node = this;
   NodeOptions _options;
