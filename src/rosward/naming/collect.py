@@ -18,7 +18,7 @@ from rosward.naming.doubts import invalid_name, unknown_name, unknown_node, unkn
 from rosward.naming.final_name import command_lines, final_name, remaps_of
 from rosward.naming.flows import both, with_flows
 from rosward.naming.implicit import Identity
-from rosward.naming.options import NameOption, interface_types, made_of_something, name_options, together
+from rosward.naming.options import NameOption, interface_types, name_options, together
 from rosward.naming.resolved import ACTIONS, resolved
 from rosward.records import NamedTuple, replace
 from rosward.ros import names
@@ -113,7 +113,7 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: Findings) -> list[
     rules = remaps_of(log, effect)
     found: list[Identity] = []
     spaces = name_options(together(space_value))
-    own = made_of_something(name_options(together(name_value)))
+    own = name_options(together(name_value), filled=True)
     for space in spaces:
         for option in own:
             wrong = names.validate_node_name(option.text) or names.validate_namespace(names.full_namespace(space.text))
@@ -213,7 +213,7 @@ def _entities(
 ) -> list[Entity]:
     """The entities that one effect makes: one for each name and type that it may have."""
     kind = KINDS[effect.kind]
-    possible = made_of_something(name_options(effect.name))
+    possible = name_options(effect.name, filled=True)
     types = interface_types(effect.type)
     result: list[Entity] = []
     for option in possible:

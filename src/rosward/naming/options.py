@@ -44,25 +44,28 @@ def together(value: Value) -> Value:
     return pattern_of_all if isinstance(pattern_of_all, Text) else value
 
 
-def name_options(value: Value) -> list[NameOption]:
-    """The names that a value may be; what is no text at all is an unknown name."""
+def name_options(value: Value, *, filled: bool = False) -> list[NameOption]:
+    """The names that a value may be; what is no text at all is an unknown name.
+
+    `filled`: only those made of something, where there are any. A text that has not been written yet is no name: the call fails with it.
+    An empty default of a parameter stays: there the call does fail. A namespace may well be empty.
+    """
     several = options(value)
     if len(several) > 1:  # None among others is no name: the call fails there
         several = tuple(o for o in several if not (isinstance(o, Const) and o.value is None)) or several
     found = [_name(option) for option in several]
     others = [name for name in found if name.reasons and all(r.cause in INSTEAD for r in name.reasons)]
-    known = made_of_something([name for name in found if name not in others], or_else=others)
+    known = [name for name in found if name not in others]
+    if filled:
+        known = _made_of_something(known) or others or known
+    if not known or known == others:
+        return others
     settable = {d for name in others for d in name.depends_on}
-    return known if known == others else [_as_default(name, settable) for name in known]
+    return [_as_default(name, settable) for name in known]
 
 
-def made_of_something(names: list[NameOption], or_else: list[NameOption] | None = None) -> list[NameOption]:
-    """Of several names those that are made of something: a text that has not been written yet is none, and the call fails with it.
-
-    An empty default of a parameter stays: there the call does fail.
-    """
-    made = [name for name in names if name.depends_on or not (name.text in ("", "/") or name.text.startswith("//"))]
-    return made or or_else or names
+def _made_of_something(names: list[NameOption]) -> list[NameOption]:
+    return [name for name in names if name.depends_on or not (name.text in ("", "/") or name.text.startswith("//"))]
 
 
 def _as_default(name: NameOption, depends_on: Iterable[str]) -> NameOption:

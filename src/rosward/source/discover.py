@@ -37,8 +37,7 @@ from rosward.source.workspace import Executable, Package, Skipped, SkipReason, S
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from rosward.source.ros_1 import of_ros_1
-from rosward.source.packages import DescribedPackage
+    from rosward.source.packages import DescribedPackage
 
 _LEVELS_ABOVE: Final = 12
 _OTHERS_TOO: Final = ("_launch.yaml", "_launch.yml")

@@ -79,10 +79,10 @@ def initial(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Series:
     values = [read(machine, arg) for arg in args]
     if not values:
         return Series()
-    if len(values) > 1 and as_iterator(values[0]) is not None:
+    if len(values) > 1 and leads(values[0]):
         return for_each(machine, between(machine, values[0], values[1]), lambda v: element_from(machine, type_, v))
     first = values[0]
-    if isinstance(first, (Tuple, Ref)):
+    if any(isinstance(option, (Tuple, Ref)) for option in options(first)):
         refers = shape_of(argument(type_, 0)) is Shape.REFERENCE
         return for_each(machine, series_of(machine, first, slots=refers), lambda v: element_from(machine, type_, v))
     many = [int_of(option) for option in options(first)]
@@ -95,6 +95,11 @@ def initial(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Series:
     if len(many) == 1 and count is not None and 0 <= count <= _MOST:
         return Series(tuple(one() for _ in range(count)))
     return Series((), several(machine, one()))
+
+
+def leads(value: Value) -> bool:
+    """Whether a value is an iterator, of one container or of one of several."""
+    return any(as_iterator(option) is not None for option in options(value))
 
 
 def erased(machine: Machine, ref: Ref, first: Value, last: Value | None) -> Value:

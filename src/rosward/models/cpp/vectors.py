@@ -23,6 +23,7 @@ from rosward.models.cpp.containers import (
     element_from,
     erased,
     initial,
+    leads,
     lost,
     made_of,
     nothing,
@@ -305,15 +306,22 @@ def _new(call: NativeCall) -> Value:
             return convert(machine, Tuple((first,)) if alone else first, type_)
         if isinstance(first, Unknown) and first.hint not in ("int", "float", "bool"):
             return first
-        if isinstance(first, Ref) and machine.obj(first).kind in ("list", "set") and not _nests(machine, type_, first):
+        if all(_is_whole(machine, type_, option) for option in options(first)):
             return convert(machine, copied(machine, first), type_)
-    if braced and args and as_iterator(read(machine, args[0])) is None:
+    if braced and args and not leads(read(machine, args[0])):
         return convert(machine, Tuple(tuple(args)), type_)
     if shape_of(type_) in (Shape.ARRAY, Shape.TUPLE) and args:
         return convert(machine, Tuple(tuple(args)), type_)
     if shape_of(type_) is Shape.ARRAY:
         return default_value(machine, type_)
     return new_container(machine, type_, initial(machine, type_, args), "new")
+
+
+def _is_whole(machine: Machine, type_: Value, value: Value) -> bool:
+    """Whether a container is a copy of a value; nobody knows a number of elements of it."""
+    if isinstance(value, Ref):
+        return machine.obj(value).kind in ("list", "set") and not _nests(machine, type_, value)
+    return isinstance(value, Unknown) and value.hint not in ("int", "float", "bool")
 
 
 def _nests(machine: Machine, type_: Value, value: Ref) -> bool:

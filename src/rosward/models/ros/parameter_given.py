@@ -15,6 +15,7 @@ from rosward.domain.compound import Tuple
 from rosward.domain.text import readable
 from rosward.domain.unknown import OUTSIDE, Cause, Origin, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Unknown, Value
+from rosward.ir.program import PYTHON
 from rosward.models.ros import parameter_table as table
 from rosward.models.ros.effects import mark
 from rosward.models.ros.names import nodes_at
@@ -56,8 +57,15 @@ def initial_value(machine: Machine, node: Value, name: Value, default: Value, hi
     return join_all([*values, *(Unknown((r,), hint) for r in open_)])
 
 
-def or_another_list(machine: Machine, node: Value, name: Value, value: Value, element: str, ignored: Value) -> Value:
-    """The first value of a parameter; where it is an empty list that anybody may have set, with one of elements of the type `element` beside."""
+def or_another_list(
+    machine: Machine, node: Value, name: Value, value: Value, element: str, ignored: Value, *, typed: bool
+) -> Value:
+    """The first value of a parameter; where it is an empty list that anybody may have set, with one of elements of the type `element` beside.
+
+    For rclpy an empty list is one of bytes, and declaring raises where another one is given: `typed`, it stays the only one.
+    """
+    if typed and machine.language_name == PYTHON:
+        return value
     if machine.log.configuration is not None or not any(_is_empty(machine, option) for option in options(value)):
         return value
     label = text_of(name, readable(name))

@@ -195,12 +195,14 @@ def _exclude(machine: Machine, test: Value, asked: Sequence[int], registers: lis
     label = labels.pop() if len(labels) == 1 else None
     if label is None:
         return
+    key = Const(label)
+    held = [(table, found) for table in _tables(machine) if (found := machine.obj(table).entries.get(key)) is not None]
+    if len(held) > 1:
+        return  # of which node it was read is not known
     values = [registers[number] for number in asked]
     for number, value in enumerate(registers):  # what was read of it, and elements of a list that it is
         if (value.__class__ is Const or value.__class__ is Choice) and number not in asked:
             registers[number] = _without_default(machine, value, label)
-    key = Const(label)
-    held = [(table, found) for table in _tables(machine) if (found := machine.obj(table).entries.get(key)) is not None]
     if isinstance(test, Const) and len(held) == 1 and held[0][1] not in values:
         left = _without_default(machine, held[0][1], label)
         if left is not held[0][1]:
@@ -225,12 +227,24 @@ def in_place(machine: Machine, value: Value) -> Value:
     label = _open_parameter(value)
     if label is None:
         return value
-    held = [v for table in _tables(machine) if (v := machine.obj(table).entries.get(Const(label))) is not None]
-    if len(held) != 1:
-        return value
-    if isinstance(held[0], Ref):  # what is in a list stays; of which one a test says something is not asked
+    held = _held_once(machine, Const(label))
+    if isinstance(held, Ref):  # what is in a list stays; of which one a test says something is not asked
         return _without_default(machine, value, label) if _is_surely_excluded(machine, label) else value
-    return held[0] if _is_excluded(held[0]) else value
+    return held if held is not None and _is_excluded(held) else value
+
+
+def _held_once(machine: Machine, key: Const) -> Value | None:
+    """What the one table that has a parameter says of it; None where several have it. Asked at each read of a default, of many nodes, too."""
+    where, found = None, None
+    for effect in machine.nodes_at(None):
+        table = table_of(machine, Ref(effect.address))
+        value = None if table is None or table == where else machine.obj(table).entries.get(key)
+        if value is None:
+            continue
+        if found is not None:
+            return None
+        where, found = table, value
+    return found
 
 
 def _is_surely_excluded(machine: Machine, label: str) -> bool:

@@ -56,7 +56,7 @@ def _declare(call: NativeCall) -> Value:
             value = initial_value(machine, node, name, default, _hint(machine, type_), ignored)
             _record(machine, node, name, value, default, type_)
             element = _HINTS.get(type_label(machine, type_).removesuffix("_ARRAY"), "")
-            value = or_another_list(machine, node, name, value, element, ignored)
+            value = or_another_list(machine, node, name, value, element, ignored, typed=typed)
             table.put(machine, node, name, value, sure=alone)
             found.append(value)
     return join_all(found) if found else UNBOUND

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`inspect`: questions only."""
+from enum import IntEnum
 from _rosward import native, reads_only
 
 reads_only(__name__)
@@ -48,13 +49,22 @@ def _parameters(obj, empty, follow): ...
 
 class _empty: ...
 
-class Parameter:
-    empty = _empty
+class _ParameterKind(IntEnum):
     POSITIONAL_ONLY = 0
     POSITIONAL_OR_KEYWORD = 1
     VAR_POSITIONAL = 2
     KEYWORD_ONLY = 3
     VAR_KEYWORD = 4
+    def __str__(self):
+        return self.name
+
+class Parameter:
+    empty = _empty
+    POSITIONAL_ONLY = _ParameterKind.POSITIONAL_ONLY
+    POSITIONAL_OR_KEYWORD = _ParameterKind.POSITIONAL_OR_KEYWORD
+    VAR_POSITIONAL = _ParameterKind.VAR_POSITIONAL
+    KEYWORD_ONLY = _ParameterKind.KEYWORD_ONLY
+    VAR_KEYWORD = _ParameterKind.VAR_KEYWORD
     def __init__(self, name, kind, *, default=_empty, annotation=_empty):
         self.name = name
         self.kind = kind
@@ -77,7 +87,7 @@ class Signature:
 
 def signature(obj, *, follow_wrapped=True, globals=None, locals=None, eval_str=False):
     rows, result = _parameters(obj, _empty, follow_wrapped)
-    made = [Parameter(name, kind, default=default, annotation=note) for name, kind, default, note in rows]
+    made = [Parameter(name, _ParameterKind(kind), default=default, annotation=note) for name, kind, default, note in rows]
     return Signature(made, return_annotation=result)
 def getfullargspec(func): ...
 def getmro(cls):
