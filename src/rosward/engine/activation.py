@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.values import UNBOUND, Function, Value
+from rosward.domain.values import UNBOUND, Function, Ref, Value
 from rosward.engine import declared, recalled
 from rosward.engine.bodies import context_of, run_body
 from rosward.engine.summarised import summarised
@@ -17,7 +17,12 @@ from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
+    from rosward.ir.program import Code
 
+_DEEPEST: Final = 40
+"""So many activations of a function are followed where each way that leads there is known to be taken,"""
+_MOST_SURE: Final = 400
+"""and so many of those that would share a summary otherwise, within one that is no recursion."""
 _OF_LOOPS: Final = 50
 """So many operations a loop counts for."""
 
@@ -33,7 +38,9 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
             limit = 0 if recursive or _is_large(machine, function) else 1
     if depth:
         machine.summaries.recursive.add(code.key)
-    if depth >= limit or len(machine.frames) >= machine.budget.depth:
+    if not depth and machine.summaries.sure:
+        machine.summaries.sure.pop(code.key, None)
+    if (depth >= limit and not is_sure(machine, code, registers, depth)) or len(machine.frames) >= machine.budget.depth:
         return summarised(machine, function, registers)
     given = tuple(registers)
     key = (
@@ -104,6 +111,24 @@ def _depth(machine: Engine, function: Function, registers: list[Value]) -> int:
     if running and registers and declared.is_model(function):
         running = [frame for frame in running if frame.registers[0] == registers[0]]
     return len(running)
+
+
+def is_sure(machine: Engine, code: Code, registers: list[Value], depth: int) -> bool:
+    """Whether a recursion is followed however deep it is: each way that leads there is known to be taken, so that it ends where the program's does.
+
+    return name if not level else path(level - 1, name + "/sub")      with a known level
+
+    Of what stands for many objects that is not known, whatever the ways are.
+    """
+    if machine.precision.coarse or depth >= _DEEPEST:
+        return False
+    if any(v.__class__ is Ref and machine.obj(v).many for v in registers):
+        return False
+    first = next((n for n, frame in enumerate(machine.frames) if frame.code is code), 0)
+    if any(frame.uncertain for frame in machine.frames[first:]):
+        return False
+    sure = machine.summaries.sure[code.key] = machine.summaries.sure.get(code.key, 0) + 1
+    return sure <= _MOST_SURE
 
 
 def _is_large(machine: Engine, function: Function) -> bool:

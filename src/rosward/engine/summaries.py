@@ -185,6 +185,7 @@ class Summaries:
         "recursive",
         "running",
         "small",
+        "sure",
         "told",
         "turns",
         "uncaught",
@@ -206,6 +207,9 @@ class Summaries:
         self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
         self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
         self.loops: dict[OpKey, tuple[tuple[int, ...], tuple[int, ...]] | None] = {}  # which registers loops use
+        self.sure: dict[
+            str, int
+        ] = {}  # by code body, how many calls of a recursion were followed beyond the usual depth
         self.asked = 0  # how often a call looked at more than records: at a summary, a generator that runs, a frame
         self.open = 0  # how often at a summary of a recursion that is still being solved
         self.used: Used = {}  # the finished summaries at which the call that is to be remembered looked

@@ -44,14 +44,18 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     code = function.code
     caller = machine.frames[-1] if machine.frames else None
     lineage = next((f.yielded.lineage for f in reversed(machine.frames) if f.yielded is not None), ())
-    shared = lineage.count(code.key) >= (1 if machine.precision.coarse else machine.budget.recursion)
+    depth = lineage.count(code.key)
+    if not depth:
+        machine.summaries.sure.pop(code.key, None)
+    shared = depth >= (1 if machine.precision.coarse else machine.budget.recursion)
+    shared = shared and not activation.is_sure(machine, code, registers, depth)
     if shared:  # made inside one another without end: all of them are one
         context = machine.context("summary", code.key)
     else:
         lineage = (*lineage, code.key)
         context = bodies.context_of(machine, code, caller)
     points = {Point(function, context, (), ()): tuple(registers)}
-    record = Obj("generator", NONE, payload=Suspension(points, lineage=lineage, shared=shared))
+    record = Obj("generator", NONE, payload=Suspension(points, lineage=lineage, shared=shared), many=shared)
     if shared:
         return Ref(machine.place_at(("generator", code.key, function.cells), record))
     return machine.allocate(record, (code.key, function.cells))
