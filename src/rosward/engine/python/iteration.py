@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.state import element, join_states
 from rosward.domain.suspended import ANY_TURN
@@ -96,36 +97,29 @@ def _over_items(
     begun: Begun | None,
 ) -> bool:
     """Item by item; any number of turns where items are too many or of unknown number."""
-    known, rest = found
     live = source if isinstance(source, Ref) and _is_list(machine, source) else None
     drained = source if isinstance(source, Ref) and _is_drained(machine, source) else None
     sizes = _sizes(machine, source)
-    budget = machine.budget
     number, offset, alive = 0, 0, True
     if begun is not None:
         number = begun.turn
         _enter_turn(machine, op, frame, context, number, source, found)
         if not begun.finish():
             return False
-        number = offset = number + 1 if number >= 0 else budget.unroll
-        if begun.turn == ANY_TURN:
-            rest = _any_of(found)
-            known = ()
-            rest = UNBOUND if rest is None else rest
-    if (
-        roughly(machine, frame, len(known))
-        or len(known) > budget.unroll
-        or machine.precision.turns + len(known) > budget.turns
-    ):
+        number = offset = number + 1 if number >= 0 else machine.budget.unroll
+    anywhere = begun is not None and begun.turn == ANY_TURN
+    known, rest = _ahead(machine, found, live if begun is None else None, anywhere=anywhere)
+    if roughly(machine, frame, len(known)) or _spent(machine, len(known) - 1, machine.precision.turns + len(known) - 1):
         rest = _any_of(Items(known, rest))
         known = ()
+    elif live is not None and not anywhere:
+        rest = None  # it is asked at each turn
     while rest is None or number - offset < len(known):
         if live is not None:  # as the list stands now: a turn may have changed it
-            record = machine.obj(live)
-            if record.items is None or number >= budget.unroll or machine.precision.turns >= budget.turns:
-                rest = element(record)
+            (known, rest), offset = _head_and_rest(machine.obj(live)), 0
+            if _spent(machine, number, machine.precision.turns):
+                rest = _any_of(Items(known[number:], rest))
                 break
-            known, offset = record.items, 0
         if drained is not None:  # what is left of it: a turn may have taken some
             left_over = machine.obj(drained).series()
             if not left_over.head:
@@ -136,7 +130,7 @@ def _over_items(
         if number - offset >= len(known):
             break
         machine.precision.turns += 1
-        ahead = Items(() if live is not None else known[number - offset + 1 :], rest)
+        ahead = Items((), None) if live is not None else Items(known[number - offset + 1 :], rest)
         _enter_turn(machine, op, frame, context, number, source, ahead)
         frame.registers[op.item] = known[number - offset]
         alive = turn(machine, op.body, frame)
@@ -145,11 +139,9 @@ def _over_items(
         number += 1
         machine.check_time()
         if roughly(machine, frame, len(known)):
-            now = known if live is None else machine.obj(live).items
-            left = Items((now or ())[number - offset :], rest)
-            if now is not None and _any_of(left) is None:
-                return True
-            rest, known = _any_of(left), ()
+            if live is not None:
+                known, rest = _head_and_rest(machine.obj(live))
+            rest = _any_of(Items(known[number - offset :], rest))
             break
     if rest is None and live is None and _sizes(machine, source) != sizes:
         rest = _elements_now(machine, source)
@@ -161,9 +153,35 @@ def _over_items(
     anything = rest
 
     def feed() -> tuple[Value, Snapshot]:
-        return join(anything, _elements_now(machine, source)), machine.snapshot(frame)
+        now = _elements_now(machine, source) if live is None else _behind(machine.obj(live), 0 if anywhere else number)
+        return join(anything, now), machine.snapshot(frame)
 
     return until_stable(machine, op, frame, None, feed)
+
+
+def _ahead(machine: Engine, found: Items, live: Ref | None, *, anywhere: bool) -> Items:
+    """What is ahead when a loop begins, or goes on: after any number of turns anything. `live`: the list over which it begins."""
+    if anywhere:
+        rest = _any_of(found)
+        return Items((), UNBOUND if rest is None else rest)
+    return found if live is None else _head_and_rest(machine.obj(live))
+
+
+def _spent(machine: Engine, number: int, turns: int) -> bool:
+    """Whether so many turns of a loop, or of a nest of loops, are all that are followed one by one."""
+    return number >= machine.budget.unroll or turns >= machine.budget.turns
+
+
+def _head_and_rest(record: Obj) -> Items:
+    """The first elements of a list, which are known apart, and any of the others; None where there are none."""
+    series = record.series()
+    return Items(series.head, series.behind_head())
+
+
+def _behind(record: Obj, taken: int) -> Value:
+    """Any element of a list behind the first ones; UNBOUND where there is none."""
+    found = record.series().without(taken).element()
+    return UNBOUND if found is None else found
 
 
 def _any_of(items: Items) -> Value | None:
