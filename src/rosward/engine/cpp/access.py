@@ -20,6 +20,7 @@ from rosward.engine.frame import Frame
 from rosward.models.cpp.memory import pointer_to
 from rosward.models.cpp.slots import plain_number, read
 from rosward.models.cpp.types import is_reference, name_of
+from rosward.models.python.plain import text_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -151,6 +152,8 @@ def deref(machine: Engine, pointer: Value) -> Value:
         elif option == NONE:
             if len(several) == 1:
                 found.append(machine.unknown(Cause.ERROR, "null pointer"))
+        elif isinstance(option, Const) and text_of(option) is not None:
+            found.append(Slot(option, "item", _ZERO))
         else:
             found.append(option)
     return join_all(found)

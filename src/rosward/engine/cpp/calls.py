@@ -234,7 +234,11 @@ def _without_body(machine: Engine, function: Function, registers: list[Value]) -
     else:
         parameters = signature.parameters if signature is not None else ()
         given = registers[len(registers) - len(parameters) :]
-        changed = [v for p, v in zip(parameters, given, strict=True) if not p.type.const and p.type.reference]
+        changed = [
+            v
+            for p, v in zip(parameters, given, strict=True)
+            if p.type.reference and (p.type.pointers or not p.type.const)
+        ]
         hand_over(machine, values, changed, name, informed=True)
     if symbol.type is None:
         return machine.unknown(Cause.CALL, name) if not symbol.name.startswith("~") else NONE

@@ -91,6 +91,8 @@ def _read(machine: Machine, slot: Slot) -> Value:
     if not isinstance(key, Value):
         return unknown_from(machine, "reference", "", base)
     if key == NONE:
+        if isinstance(base, Const) and text_of(base) is not None:  # where a text ends, its terminator stands
+            return Const("\0", base.origins)
         return machine.unknown(Cause.OPERATION, "dereference of end()")
     if kind == "entry" and isinstance(base, Ref):
         found = dicts.look_up(machine, machine.obj(base), key)

@@ -123,7 +123,7 @@ def _parameter(
     if symbol.pack:
         pass
     elif reference:
-        if converts and (symbol.type.const or symbol.type.reference == "&&"):
+        if converts and ((symbol.type.const and not symbol.type.pointers) or symbol.type.reference == "&&"):
             body.emit(Read(*place, register, register))
             _convert(body, node, type_node, declarator, register)
             reference = False
