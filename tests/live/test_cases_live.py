@@ -48,6 +48,10 @@ NOT_RUN: Final = {
     "messages: Interfaces of the workspace": "its interfaces are not built",
     "messages: An interface package with a module of its own": "its interfaces are not built",
     "messages: What a message of the workspace does not have": "its interfaces are not built",
+    "import_path: Folders without a file in a package": "its package is not installed",
+    "invalid: Packages for ROS 1": "its packages are for ROS 1",
+    "invalid: A package for both": "its package is not built",
+    "run_by_library: What the wrapper of curses calls": "there is no terminal",
     "partial: A class whose parameters nobody gives": "nothing gives the arguments that it needs",
 }
 """Cases that cannot run here, and why; those that need a library of which there is no wheel are skipped with its name."""

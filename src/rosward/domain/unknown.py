@@ -41,6 +41,7 @@ class Cause(enum.Enum):
     LIMIT = "limit of the analysis"
     LIVE = "state of the running system"
     OTHER = "value that is not the default"
+    ELEMENT = "value that is not the default, in a list"
     SET = "environment variable, where it is set"
     ERROR = "expression that fails at run time"
 
@@ -65,9 +66,11 @@ class Reason(NamedTuple):
 
 OUTSIDE: Final = "any that is set from outside"
 """What the parameters are said to be that nobody here sets, and anybody may set who starts the process."""
+OTHERS: Final = frozenset((Cause.OTHER, Cause.ELEMENT))
+"""What somebody gives who changes a default; an element of a list stands beside whatever the program itself puts there."""
 INSTEAD: Final = frozenset((Cause.OTHER, Cause.SET))
 """What somebody gives where the program itself has a value otherwise: beside that, it is one instance of many."""
-TAKEN_FOR_NOTHING: Final = INSTEAD | {Cause.ARGUMENT}
+TAKEN_FOR_NOTHING: Final = INSTEAD | {Cause.ARGUMENT, Cause.ELEMENT}
 """What, where it alone is why something is not known, is not always told."""
 _SET_BY_NAME: Final = frozenset((Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT, Cause.SET))
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import reasons_of
-from rosward.domain.unknown import OUTSIDE, Cause, Reason, causes_of
+from rosward.domain.unknown import OTHERS, OUTSIDE, Cause, Reason, causes_of
 from rosward.domain.values import Value
 from rosward.findings import Finding
 from rosward.holes import with_stars
@@ -60,7 +60,7 @@ def is_off_by_default(option: NameOption) -> bool:
     return (
         option.resolution is Resolution.UNKNOWN
         and bool(option.reasons)
-        and all(r.cause is Cause.OTHER for r in option.reasons)
+        and all(r.cause in OTHERS for r in option.reasons)
     )
 
 

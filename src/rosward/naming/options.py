@@ -87,7 +87,7 @@ def _name(value: Value) -> NameOption:
     return NameOption(HOLE, Resolution.UNKNOWN, _depends(depends, reasons), reasons)
 
 
-_SETTABLE: Final = (*INSTEAD, Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)
+_SETTABLE: Final = (*INSTEAD, Cause.ELEMENT, Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)
 
 
 def _depends(known: tuple[str, ...], reasons: tuple[Reason, ...]) -> tuple[str, ...]:

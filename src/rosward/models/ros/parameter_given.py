@@ -71,7 +71,7 @@ def or_another_list(
     label = text_of(name, readable(name))
     if ignored != TRUE and override_of(machine, node, label) is not None:
         return value
-    return join(value, machine.new_list((), Unknown((Reason(Cause.OTHER, label, machine.place),), element)))
+    return join(value, machine.new_list((), Unknown((Reason(Cause.ELEMENT, label, machine.place),), element)))
 
 
 def _is_empty(machine: Machine, value: Value) -> bool:

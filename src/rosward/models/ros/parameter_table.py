@@ -20,7 +20,7 @@ from rosward.domain.choice import join, join_all, options, reasons_of
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of, readable
-from rosward.domain.unknown import COMPARED, OUTSIDE, Cause, Origin, Reason
+from rosward.domain.unknown import COMPARED, OTHERS, OUTSIDE, Cause, Origin, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
@@ -254,7 +254,7 @@ def _is_surely_excluded(machine: Machine, label: str) -> bool:
 
 def _is_excluded(value: Value | None) -> bool:
     """Whether a parameter has what somebody gives in place of its default."""
-    return isinstance(value, Unknown) and bool(value.reasons) and all(r.cause is Cause.OTHER for r in value.reasons)
+    return isinstance(value, Unknown) and bool(value.reasons) and all(r.cause in OTHERS for r in value.reasons)
 
 
 def _open_parameter(value: Value) -> str | None:

@@ -14,7 +14,7 @@ from rosward.domain.choice import join_all, options, reasons_of
 from rosward.domain.compound import External, Tuple
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import readable
-from rosward.domain.unknown import Cause
+from rosward.domain.unknown import OTHERS, Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Unknown, Value
 from rosward.models.cpp.ros.handed import NOTHING, given, target_of
 from rosward.models.cpp.slots import read
@@ -68,7 +68,7 @@ def _folder(name: str) -> NativeFunction:
     return lambda call: native(call._replace(args=tuple(read(call.machine, a) for a in call.args), keywords={}))
 
 
-_SET_LATER: Final = frozenset({Cause.PARAMETER, Cause.OTHER})
+_SET_LATER: Final = OTHERS | {Cause.PARAMETER}
 
 
 def _plugin_names(call: NativeCall) -> Value:
