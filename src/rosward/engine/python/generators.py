@@ -99,8 +99,8 @@ def _ask(machine: Engine, ref: Ref, running: Running) -> Stepped:
 
 def _count(machine: Engine, running: Running) -> None:
     """Something is made of what is not the last word of a generator, or of those within: it must not be remembered."""
-    counts = next((r for r in machine.advancing.values() if r.shared), running)
-    counts.asks += 1
+    outermost = next(r for r in machine.advancing.values() if r.shared) if running.shared else running
+    outermost.asks += 1  # where that has its last word, so have those within
     machine.summaries.asked += 1
 
 
