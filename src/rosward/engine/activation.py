@@ -38,9 +38,7 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
             limit = 0 if recursive or _is_large(machine, function) else 1
     if depth:
         machine.summaries.recursive.add(code.key)
-    if not depth and machine.summaries.sure:
-        machine.summaries.sure.pop(code.key, None)
-    if (depth >= limit and not is_sure(machine, code, registers, depth)) or len(machine.frames) >= machine.budget.depth:
+    if is_too_deep(machine, code, registers, depth, limit) or len(machine.frames) >= machine.budget.depth:
         return summarised(machine, function, registers)
     given = tuple(registers)
     key = (
@@ -113,7 +111,14 @@ def _depth(machine: Engine, function: Function, registers: list[Value]) -> int:
     return len(running)
 
 
-def is_sure(machine: Engine, code: Code, registers: list[Value], depth: int) -> bool:
+def is_too_deep(machine: Engine, code: Code, registers: list[Value], depth: int, limit: int) -> bool:
+    """Whether a call inside so many others of its function shares what it does with all that are deeper."""
+    if not depth and machine.summaries.sure:
+        machine.summaries.sure.pop(code.key, None)
+    return depth >= limit and not _is_sure(machine, code, registers, depth)
+
+
+def _is_sure(machine: Engine, code: Code, registers: list[Value], depth: int) -> bool:
     """Whether a recursion is followed however deep it is: each way that leads there is known to be taken, so that it ends where the program's does.
 
     return name if not level else path(level - 1, name + "/sub")      with a known level

@@ -157,9 +157,8 @@ def loop(
         frame.op, frame.sequence = op, 0  # which asks, not the last operation of its condition
         decided = machine.language.truth(machine, test)
         ways = _named_ways(test) if decided is None and op.counted else frozenset()
-        if True in ways or (
-            ways and number
-        ):  # defaults and alternatives say how many turns there are: none only of themselves
+        # Defaults and alternatives say how many turns there are: none only of themselves.
+        if True in ways or (ways and number):
             if len(ways) > 1:
                 frame.exits.broken = join_into(machine, frame.exits.broken, machine.snapshot(frame))
             decided = True in ways

@@ -44,11 +44,8 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     code = function.code
     caller = machine.frames[-1] if machine.frames else None
     lineage = next((f.yielded.lineage for f in reversed(machine.frames) if f.yielded is not None), ())
-    depth = lineage.count(code.key)
-    if not depth:
-        machine.summaries.sure.pop(code.key, None)
-    shared = depth >= (1 if machine.precision.coarse else machine.budget.recursion)
-    shared = shared and not activation.is_sure(machine, code, registers, depth)
+    limit = 1 if machine.precision.coarse else machine.budget.recursion
+    shared = activation.is_too_deep(machine, code, registers, lineage.count(code.key), limit)
     if shared:  # made inside one another without end: all of them are one
         context = machine.context("summary", code.key)
     else:

@@ -264,9 +264,7 @@ def _pasted(found: list[str]) -> list[str]:
         while result and result[-1] == " ":
             result.pop()
         if position < len(found) and result:
-            if (
-                result[-1] == ","
-            ):  # nothing is made one with a comma: it stays before what is given, and goes where that is nothing
+            if result[-1] == ",":  # it stays before what is given, and goes where that is nothing
                 if found[position] == _NO_MORE:
                     result.pop()
                 else:
