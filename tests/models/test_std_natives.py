@@ -127,7 +127,8 @@ def test_regular_expressions(machine: FakeMachine) -> None:
         "my_robot"
     )
     found = machine.native("re._find", Const("match"), Const(r"(?P<ns>\w+)/(\d+)"), Const(0), Const("arm/12"))
-    assert machine.plain(found) == {0: "arm/12", "": [0, 6], 1: "arm", 2: "12", "ns": "arm"}
+    spans = {0: [0, 6], 1: [0, 3], 2: [4, 6], "ns": [0, 3]}
+    assert machine.plain(found) == {0: "arm/12", "": spans, 1: "arm", 2: "12", "ns": "arm"}
     assert machine.native("re._find", Const("search"), Const("x"), Const(0), Const("abc")) == NONE
     open_end = machine.native(
         "re._find", Const("search"), Const("x"), Const(0), machine.unknown(Cause.FILE, "f", "str")

@@ -14,7 +14,7 @@ from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, 
 from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame
-from rosward.engine.python import abstract, attributes, contents, members, metaclasses, subclass_hooks
+from rosward.engine.python import abstract, attributes, contents, hidden_fields, members, metaclasses, subclass_hooks
 from rosward.engine.python.own_methods import own_methods
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
@@ -248,7 +248,7 @@ def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords
         machine.trace.instantiated.add(cls.place)
         initialised: list[Value] = []
         for option in options(made):
-            if option.__class__ is Ref and machine.obj(option).kind == "instance" and _has(machine, option, cls):
+            if isinstance(option, Ref) and machine.obj(option).kind == "instance" and _has(machine, option, cls):
                 if _initialise(machine, cls, option, args, keywords) is not UNBOUND:
                     initialised.append(option)
             elif option is not UNBOUND:
@@ -286,20 +286,24 @@ def _has(machine: Engine, ref: Ref, cls: Class) -> bool:
     return found.__class__ is Class and cls in found.mro
 
 
-def _initialise(machine: Engine, cls: Class, ref: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+def _initialise(machine: Engine, cls: Class, ref: Ref, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
     """Run `__init__`; a base that is not known gets the arguments."""
     for base in cls.mro:
         if base.__class__ is Class:
             found = machine.at(base.address).attrs.get("__init__")
             if found is not None and found is not UNBOUND:
-                return machine.call(BoundMethod(ref, found), args, keywords)
+                start = members.bind(machine, found, ref, cls) if found.__class__ is Ref else BoundMethod(ref, found)
+                return machine.call(start, args, keywords)
         elif base.__class__ in (External, Unknown):
             machine.escape((*args, *keywords.values()), name_of(base))
+            hidden_fields.give(machine, cls, ref, args, keywords)
             return ref
         else:
             filled = contents.initialiser(machine, base)
             if filled is not None:
                 return machine.call(BoundMethod(ref, filled), args, keywords)
+    if members.lookup(machine, cls, "__new__") is None and builtin_base(cls) is None:
+        hidden_fields.give(machine, cls, ref, args, keywords)
     return ref
 
 

@@ -28,6 +28,7 @@ from rosward.models.python.asked import REGISTERED
 from rosward.models.python.builtins.attributes import has_attribute, of_python
 from rosward.models.python.containers.lists import ITERATOR, VIEW
 from rosward.models.python.plain import LOOSE_HINTS
+from rosward.models.python.std.annotations import WRITTEN_IN
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -311,6 +312,7 @@ _OF_CLASSES: Final = frozenset(
         "__dict__",
         "__weakref__",
         REGISTERED,
+        WRITTEN_IN,
     }
 )
 

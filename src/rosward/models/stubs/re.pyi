@@ -3,13 +3,17 @@
 from _rosward import native, reads_only, unknown
 
 @native
-def _find(how, pattern, flags, text): ...
+def _find(how, pattern, flags, text, pos, endpos): ...
 @native
-def _find_all(pattern, flags, text): ...
+def _find_all(pattern, flags, text, pos, endpos): ...
 @native
 def _split(pattern, flags, text, maxsplit): ...
 @native
 def _sub(pattern, flags, repl, text, count): ...
+@native
+def _sub_by(pattern, function, text, count): ...
+@native
+def _expanded(template, groups): ...
 
 A = ASCII = 256
 I = IGNORECASE = 2
@@ -41,17 +45,17 @@ class Match:
             return self._groups[args[0]]
         return tuple([self._groups[one] for one in args])
     def groups(self, default=None):
-        return tuple([self._groups[key] for key in self._groups if isinstance(key, int) and key != 0])
+        return tuple([default if self._groups[key] is None else self._groups[key] for key in self._groups if isinstance(key, int) and key != 0])
     def groupdict(self, default=None):
-        return {key: self._groups[key] for key in self._groups if isinstance(key, str) and key != ''}
+        return {key: default if self._groups[key] is None else self._groups[key] for key in self._groups if isinstance(key, str) and key != ''}
     def span(self, group=0, /):
-        return tuple(self._groups['']) if group == 0 else (self.start(group), self.end(group))
+        return tuple(self._groups[''][group])
     def start(self, group=0, /):
-        return self._groups[''][0] if group == 0 else unknown('operation', 're.Match.start', 'int')
+        return self._groups[''][group][0]
     def end(self, group=0, /):
-        return self._groups[''][1] if group == 0 else unknown('operation', 're.Match.end', 'int')
-    @reads_only
-    def expand(self, template) -> str: ...
+        return self._groups[''][group][1]
+    def expand(self, template):
+        return _expanded(template, self._groups)
 
 def _made(found, pattern, string):
     if found is None:
@@ -65,21 +69,24 @@ class Pattern:
     def __class_getitem__(cls, item):
         return cls
     def match(self, string, pos=0, endpos=9223372036854775807):
-        return _made(_find('match', self.pattern, self.flags, string[pos:]), self, string)
+        return _made(_find('match', self.pattern, self.flags, string, pos, endpos), self, string)
     def fullmatch(self, string, pos=0, endpos=9223372036854775807):
-        return _made(_find('fullmatch', self.pattern, self.flags, string[pos:]), self, string)
+        return _made(_find('fullmatch', self.pattern, self.flags, string, pos, endpos), self, string)
     def search(self, string, pos=0, endpos=9223372036854775807):
-        return _made(_find('search', self.pattern, self.flags, string[pos:]), self, string)
+        return _made(_find('search', self.pattern, self.flags, string, pos, endpos), self, string)
     def split(self, string, maxsplit=0):
         return _split(self.pattern, self.flags, string, maxsplit)
     def findall(self, string, pos=0, endpos=9223372036854775807):
-        return [_found(groups) for groups in _find_all(self.pattern, self.flags, string)]
+        return [_found(groups) for groups in _find_all(self.pattern, self.flags, string, pos, endpos)]
     def finditer(self, string, pos=0, endpos=9223372036854775807):
-        return iter([Match(groups, self, string) for groups in _find_all(self.pattern, self.flags, string)])
+        return iter([Match(groups, self, string) for groups in _find_all(self.pattern, self.flags, string, pos, endpos)])
     def sub(self, repl, string, count=0):
+        if callable(repl):
+            return _sub_by(self, repl, string, count)
         return _sub(self.pattern, self.flags, repl, string, count)
     def subn(self, repl, string, count=0):
-        return (_sub(self.pattern, self.flags, repl, string, count), unknown('operation', 're.subn', 'int'))
+        number = len(_find_all(self.pattern, self.flags, string, 0, 9223372036854775807))
+        return (self.sub(repl, string, count), min(number, count) if count else number)
 
 def _found(groups):
     if not isinstance(groups, dict):

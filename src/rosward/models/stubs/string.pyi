@@ -5,7 +5,11 @@ from _rosward import ask, either, native, overridden, pure, reads_only, unknown
 pure(__name__)
 
 @native
-def _substitute(template, mapping, safe): ...
+def _substitute(template, mapping, safe, delimiter, idpattern, braceidpattern, flags, pattern): ...
+@native
+def _fields(template, delimiter, idpattern, braceidpattern, flags, pattern): ...
+@native
+def _parsed(format_string): ...
 
 ascii_lowercase = 'abcdefghijklmnopqrstuvwxyz'
 ascii_uppercase = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ'
@@ -18,12 +22,23 @@ whitespace = ' \t\n\r\x0b\x0c'
 printable = digits + ascii_letters + punctuation + whitespace
 
 class Template:
+    delimiter = '$'
+    idpattern = '(?a:[_a-z][_a-z0-9]*)'
+    braceidpattern = None
+    flags = 2
+    pattern = None
     def __init__(self, template):
         self.template = template
+    def _form(self):
+        return (self.delimiter, self.idpattern, self.braceidpattern, self.flags, self.pattern)
     def substitute(self, mapping={}, /, **kws):
-        return _substitute(self.template, {**mapping, **kws}, False)
+        return _substitute(self.template, {**mapping, **kws}, False, *self._form())
     def safe_substitute(self, mapping={}, /, **kws):
-        return _substitute(self.template, {**mapping, **kws}, True)
+        return _substitute(self.template, {**mapping, **kws}, True, *self._form())
+    def is_valid(self):
+        return unknown('operation', 'string.Template.is_valid', 'bool')
+    def get_identifiers(self):
+        return _fields(self.template, *self._form())
 @reads_only
 class Formatter:
     def format(self, format_string, /, *args, **kwargs):
@@ -39,7 +54,8 @@ class Formatter:
             ask(self, 'check_unused_args', set(), args, kwargs)
             return unknown('call', 'string.Formatter', 'str')
         return format_string.format(*args, **kwargs)
-    def parse(self, format_string): ...
+    def parse(self, format_string):
+        return iter(_parsed(format_string))
     def get_field(self, field_name, args, kwargs): ...
     def get_value(self, key, args, kwargs): ...
     def check_unused_args(self, used_args, args, kwargs) -> None: ...

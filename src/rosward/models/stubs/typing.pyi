@@ -23,6 +23,15 @@ class _Form:
     def __call__(self, *args, **kwargs):
         return self
 
+class _Annotated(_Form):
+    """`Annotated[…]` that stands behind a name."""
+    def __init__(self, item):
+        self.__origin__ = item[0]
+        self.__metadata__ = item[1:]
+class _MakesAnnotated(_Form):
+    def __getitem__(self, item):
+        return _Annotated(item)
+
 class Generic:
     def __class_getitem__(cls, item):
         return cls
@@ -110,7 +119,7 @@ Coroutine = _Form()
 Literal = _Form()
 ClassVar = _Form()
 Final = _Form()
-Annotated = _Form()
+Annotated = _MakesAnnotated()
 Self = _Form()
 Never = _Form()
 NoReturn = _Form()

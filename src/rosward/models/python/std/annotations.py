@@ -63,6 +63,20 @@ def named(machine: Machine, module: ModuleValue, tree: ast.expr) -> list[Value]:
     return [_unknown(machine)]
 
 
+def alias_of(machine: Machine, value: Value) -> tuple[Value, Value] | None:
+    """The type, and what stands beside it, of a name that was given `Annotated[…]`."""
+    obj = machine.obj(value) if isinstance(value, Ref) else None
+    if obj is None or not isinstance(obj.cls, Class) or not obj.cls.stub or obj.cls.name != "_Annotated":
+        return None
+    return obj.attrs["__origin__"], obj.attrs["__metadata__"]
+
+
+def unwrapped(machine: Machine, value: Value) -> Value:
+    """The type of an alias; any other value as it is."""
+    found = alias_of(machine, value)
+    return value if found is None else found[0]
+
+
 def _unknown(machine: Machine) -> Value:
     return machine.unknown(Cause.OPERATION, "annotation")
 
@@ -79,7 +93,7 @@ def _meant(machine: Machine, module: ModuleValue, text: str, *, hints: bool) -> 
     if not hints and isinstance(tree, ast.Constant) and tree.value is None:
         return NONE
     plain = isinstance(tree, (ast.Name, ast.Attribute)) or (isinstance(tree, ast.Constant) and tree.value is None)
-    found = named(machine, module, tree) if plain else []
+    found = [unwrapped(machine, f) if hints else f for f in named(machine, module, tree)] if plain else []
     return found[0] if len(found) == 1 else _unknown(machine)
 
 

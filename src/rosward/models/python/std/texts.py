@@ -9,28 +9,32 @@ from __future__ import annotations
 
 import ast
 import fnmatch
+import itertools
 import re
 import shlex
 import string
+import sys
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.unknown import Cause
+from rosward.domain.unknown import NO_ORIGINS, Cause, Origins
 from rosward.domain.values import NONE, UNBOUND, Const, Value
-from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.python.plain import text_of
+from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.pattern_cost import work
 from rosward.models.python.std.support import NotKnown, apply_plain, from_plain, to_plain, unknown_from
+from rosward.models.python.strings.formatting import joined
 
 MAX_NAME: Final = 200
 MAX_REPLACEMENT: Final = 200
+MAX_MATCHES: Final = 1_000
+"""How many matches a function is called for."""
 _WAYS_A_STEP: Final = 2_000
 """How many ways through a pattern Python tries in the time of one step of the interpreter."""
 
 
-def _compiled(call: NativeCall, pattern: object, flags: object, text: object) -> re.Pattern[str]:
+def compiled(call: NativeCall, pattern: object, flags: object, text: object) -> re.Pattern[str]:
     """The pattern, where matching it against this text takes little time."""
     if not isinstance(pattern, str) or not isinstance(text, str) or not isinstance(flags, int):
         raise NotKnown
@@ -45,10 +49,10 @@ def _compiled(call: NativeCall, pattern: object, flags: object, text: object) ->
 
 
 def _find(call: NativeCall) -> Value:
-    """re._find(how, pattern, flags, text): None or a dict of groups by number and name; unknown may be either."""
+    """re._find(how, pattern, flags, text, pos, endpos): None or a dict of groups by number and name; unknown may be either."""
 
-    def run(how: Any, pattern: Any, flags: Any, text: Any) -> object:
-        match = getattr(_compiled(call, pattern, flags, text), how)(text)
+    def run(how: Any, pattern: Any, flags: Any, text: Any, first: Any = 0, last: Any = sys.maxsize) -> object:
+        match = getattr(compiled(call, pattern, flags, text), how)(text, first, last)
         return None if match is None else _groups(match)
 
     found = apply_plain(call, run, call.args)
@@ -62,17 +66,17 @@ def _is_ref(value: Value) -> bool:
 
 
 def _groups(match: re.Match[str]) -> dict[object, object]:
-    found: dict[object, object] = {0: match.group(), "": list(match.span())}
-    found.update({i + 1: g for i, g in enumerate(match.groups())})
-    found.update(match.groupdict())
-    return found
+    """The groups by number and name; under '' where each stands."""
+    names = [*range(len(match.groups()) + 1), *match.groupdict()]
+    found: dict[object, object] = {name: match[name] for name in names}
+    return {**found, "": {name: list(match.span(name)) for name in names}}
 
 
 def _find_all(call: NativeCall) -> Value:
-    """re._find_all(pattern, flags, text): a list of dicts of groups."""
+    """re._find_all(pattern, flags, text, pos, endpos): a list of dicts of groups."""
 
-    def run(pattern: Any, flags: Any, text: Any) -> object:
-        return [_groups(m) for m in _compiled(call, pattern, flags, text).finditer(text)]
+    def run(pattern: Any, flags: Any, text: Any, first: Any = 0, last: Any = sys.maxsize) -> object:
+        return [_groups(m) for m in compiled(call, pattern, flags, text).finditer(text, first, last)]
 
     return _list_of(call, run, call.args, "")
 
@@ -81,7 +85,7 @@ def _split(call: NativeCall) -> Value:
     """re._split(pattern, flags, text, maxsplit)."""
 
     def run(pattern: Any, flags: Any, text: Any, count: Any) -> object:
-        return _compiled(call, pattern, flags, text).split(text, count)
+        return compiled(call, pattern, flags, text).split(text, count)
 
     return _list_of(call, run, call.args, "str")
 
@@ -97,18 +101,69 @@ def _list_of(call: NativeCall, run: Callable[..., object], values: tuple[Value, 
 
 
 def _sub(call: NativeCall) -> Value:
-    """re._sub(pattern, flags, repl, text, count); a function as replacement is called with an unknown match."""
-    replacement = call.args[2]
-    if any(text_of(o) is None for o in options(replacement)):
-        match = call.machine.unknown(Cause.CALL, "re.Match")
-        if replacement.__class__.__name__ in {"Function", "BoundMethod", "Partial", "Native"}:
-            call.machine.call(replacement, (match,))
-        return unknown_from(call, "str", call.args)
+    """re._sub(pattern, flags, repl, text, count)."""
 
     def run(pattern: Any, flags: Any, repl: Any, text: Any, count: Any) -> object:
         if not isinstance(repl, str) or len(repl) > MAX_REPLACEMENT:
             raise NotKnown
-        return _compiled(call, pattern, flags, text).sub(repl, text, count)
+        return compiled(call, pattern, flags, text).sub(repl, text, count)
+
+    return apply_plain(call, _guarded(run), call.args, "str")
+
+
+def _sub_by(call: NativeCall) -> Value:
+    """re._sub_by(pattern, function, text, count): what stands for each match is what a function says."""
+    machine, (pattern, function, text, count) = call.machine, call.exactly(4)
+    rule, flags = machine.load_attr(pattern, "pattern"), machine.load_attr(pattern, "flags")
+    make = machine.load_attr(machine.load_module("re"), "Match")
+    results: list[Value] = []
+    for option in options(text):
+        try:
+            (source, bits, plain, most), marks = _plain_parts(machine, (rule, flags, option, count))
+            if not isinstance(most, int) or not isinstance(plain, str):
+                raise NotKnown
+            found = list(itertools.islice(compiled(call, source, bits, plain).finditer(plain), most or MAX_MATCHES))
+        except NotKnown:
+            machine.call(function, (machine.unknown(Cause.CALL, "re.Match"),))
+            results.append(unknown_from(call, "str", (text, rule)))
+            continue
+        at = 0
+        written: list[Value] = [Const("", marks)]
+        for match in found:
+            said = machine.call(
+                function, (machine.call(make, (from_plain(machine, _groups(match), marks), pattern, option)),)
+            )
+            written += [Const(plain[at : match.start()]), said]
+            at = match.end()
+        if UNBOUND not in written:
+            results.append(joined(machine, [*written, Const(plain[at:])]))
+    return join_all(results)
+
+
+def _plain_parts(machine: Machine, values: Sequence[Value]) -> tuple[list[object], Origins]:
+    found = [to_plain(machine, value) for value in values]
+    return [plain for plain, _ in found], NO_ORIGINS.union(*(marks for _, marks in found))
+
+
+_IN_TEMPLATE: Final = re.compile(r"\\(?:g<(\w+)>|([1-9]\d?)|(.))", re.DOTALL)
+
+
+def _expanded(call: NativeCall) -> Value:
+    """re._expanded(template, groups): a template with the groups of a match in it."""
+
+    def run(template: Any, groups: Any) -> object:
+        if not isinstance(template, str) or len(template) > MAX_REPLACEMENT:
+            raise NotKnown
+
+        def one(match: re.Match[str]) -> str:
+            if match[3] is not None:
+                if match[3] not in "\\n":
+                    raise NotKnown
+                return "\n" if match[3] == "n" else "\\"
+            name: str = match[1] or match[2]
+            return groups[int(name) if name.isdecimal() else name] or ""
+
+        return _IN_TEMPLATE.sub(one, template)
 
     return apply_plain(call, _guarded(run), call.args, "str")
 
@@ -117,7 +172,7 @@ def _guarded(function: Callable[..., object]) -> Callable[..., object]:
     def run(*values: Any) -> object:
         try:
             return function(*values)
-        except (re.error, IndexError) as error:
+        except (re.error, LookupError, TypeError) as error:
             raise NotKnown from error
 
     return run
@@ -178,6 +233,8 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "re._find_all": _find_all,
     "re._split": _split,
     "re._sub": _sub,
+    "re._sub_by": _sub_by,
+    "re._expanded": _expanded,
     "re.escape": _pure(_escape, "str"),
     "string.capwords": _pure(string.capwords, "str"),
     "textwrap.dedent": _pure(textwrap.dedent, "str"),

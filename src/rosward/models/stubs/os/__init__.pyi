@@ -6,6 +6,10 @@ from os import path as path
 
 reads_only(__name__)
 
+class PathLike:
+    def __class_getitem__(cls, item):
+        return cls
+
 _GONE = False  # no variable is
 
 class _Environ:

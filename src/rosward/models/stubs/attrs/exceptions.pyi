@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: Apache-2.0
+"""attrs.exceptions: that of `attr`.
+
+Read from attrs 26.1.
+"""
+from attr.exceptions import *
