@@ -93,5 +93,9 @@ class NoSources:
         """No folder."""
         return None
 
+    def modules(self, _relative: str) -> tuple[str, ...]:
+        """None."""
+        return ()
+
 
 NO_SOURCES: Final = NoSources()

@@ -172,3 +172,8 @@ class _RecordedFiles:
         """See `Files`."""
         self._note("listing", package, relative)
         return self._files.listing(package, relative)
+
+    def modules(self, relative: str) -> tuple[str, ...]:
+        """See `Files`."""
+        self._note("modules", relative)
+        return self._files.modules(relative)

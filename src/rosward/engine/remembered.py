@@ -143,7 +143,7 @@ class Memory:
         return told.digest()
 
 
-_OF_FILES: Final = frozenset({"is_file", "is_folder", "listing", "read"})
+_OF_FILES: Final = frozenset({"is_file", "is_folder", "listing", "modules", "read"})
 _OF_SOURCES: Final = frozenset(
     {"belongs", "content", "find", "in_folder", "interface_has", "is_of", "leads_out", "named", "python_package", "shared"}
 )  # fmt: skip

@@ -45,6 +45,9 @@ class Files(Protocol):
     def listing(self, package: str, relative: str) -> tuple[str, ...] | None:
         """The names in a folder, sorted; None where they are not all known."""
 
+    def modules(self, relative: str) -> tuple[str, ...]:
+        """The files in Python, and the folders with such, in a folder of the sources, sorted."""
+
 
 def location_of(value: Value) -> Location | None:
     """The location that a path (not a Choice) surely is; None for any other."""

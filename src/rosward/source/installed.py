@@ -90,6 +90,11 @@ class Installed:
         layer, path = self._layer(package), _normal(relative)
         return layer.listing(package, path) if layer is not None and path else None
 
+    def modules(self, relative: str) -> tuple[str, ...]:
+        """The files in Python, and the folders with such, in a folder below that which all sources have in common, sorted."""
+        path = _normal(relative)
+        return () if path is None else self._sources.modules(path)
+
     def source(self, relative: str) -> SourceFile | None:
         """The file at `relative` below the folder that all sources have in common."""
         path = _normal(relative)
@@ -179,6 +184,16 @@ class _SourceWorkspace:
     def has(self, package: str) -> bool:
         """Whether the package is there."""
         return package in self._packages
+
+    def modules(self, folder: str) -> tuple[str, ...]:
+        """The files in Python, and the folders with such, in a folder of the sources, sorted."""
+        inside = f"{folder}/" if folder else ""
+        found = (
+            name[len(inside) :].partition("/")[0]
+            for name in self._names
+            if name.startswith(inside) and name.endswith(".py")
+        )
+        return tuple(sorted(set(found)))
 
     def share(self, package: str, relative: str) -> SourceFile | None:
         """The file at `relative` below the package's share folder."""

@@ -235,6 +235,8 @@ def attribute(machine: Engine, module: ModuleValue, name: str, *, importing: boo
     found = record.attrs.get(name)
     if found is not None and found is not UNBOUND:
         return found
+    if name == "__path__" and module.file.endswith("__init__.py"):
+        return _path_of(machine, module)
     dotted = f"{module.name}.{name}"
     importer = module if module.file or not machine.frames else machine.frames[-1].module
     if machine.library.find(dotted, 0, importer) is not None or (module.file.endswith("__init__.py") and importing):
@@ -254,6 +256,14 @@ def attribute(machine: Engine, module: ModuleValue, name: str, *, importing: boo
     if not module.file:
         return machine.library.missing(dotted)
     return machine.unknown(Cause.ERROR, f"no name {name} in {module.file}")
+
+
+def _path_of(machine: Engine, package: ModuleValue) -> Value:
+    """`__path__` of a package: a list with its folder."""
+    folder = machine.call_native("os.path.dirname", (machine.load_attr(package, "__file__"),))
+    made = Ref(machine.place_at(("path", package.address), Obj("list", Native("builtins.list"), items=(folder,))))
+    machine.put(package.address, machine.at(package.address).with_attr("__path__", made))
+    return made
 
 
 def load_below(machine: Engine, module: ModuleValue, name: str) -> Value | None:

@@ -4,6 +4,8 @@
 Once a text was read that is not known, there may be any section, and any value.
 """
 from _rosward import ask, either, native, unknown
+import functools
+import re
 
 DEFAULTSECT = 'DEFAULT'
 
@@ -14,10 +16,42 @@ class Error(Exception): ...
 class NoSectionError(Error): ...
 class NoOptionError(Error): ...
 class DuplicateSectionError(Error): ...
-class BasicInterpolation: ...
-class ExtendedInterpolation: ...
+class InterpolationError(Error): ...
+class InterpolationDepthError(InterpolationError): ...
+class InterpolationMissingOptionError(InterpolationError): ...
+class InterpolationSyntaxError(InterpolationError): ...
+class MissingSectionHeaderError(Error): ...
+class ParsingError(Error): ...
 
 _NOTHING = object()
+
+class Interpolation:
+    def before_get(self, parser, section, option, value, defaults):
+        return value
+class BasicInterpolation(Interpolation):
+    """`%(name)s`"""
+    def before_get(self, parser, section, option, value, defaults):
+        if not isinstance(value, str) or '%' not in value:
+            return value
+        return re.sub(r'%(?:\(([^)]+)\)s|%)', functools.partial(_basic, parser, section, defaults), value)
+def _basic(parser, section, defaults, match):
+    name = match.group(1)
+    return '%' if name is None else _inner(parser, section, name, defaults)
+class ExtendedInterpolation(Interpolation):
+    """`${name}`, `${section:name}`"""
+    def before_get(self, parser, section, option, value, defaults):
+        if not isinstance(value, str) or '$' not in value:
+            return value
+        return re.sub(r'\$(?:\{([^}]+)\}|\$)', functools.partial(_extended, parser, section, defaults), value)
+def _extended(parser, section, defaults, match):
+    name = match.group(1)
+    if name is None:
+        return '$'
+    other, colon, option = name.partition(':')
+    return _inner(parser, other, option, None) if colon else _inner(parser, section, name, defaults)
+def _inner(parser, section, name, defaults):
+    """The value of another option, in which others may be put in turn."""
+    return parser.get(section, name, vars=defaults, fallback=unknown('file', name, 'str'))
 
 class SectionProxy:
     def __init__(self, parser, name):
@@ -34,13 +68,13 @@ class SectionProxy:
     def __contains__(self, key):
         return self._parser.has_option(self.name, key)
     def get(self, option, fallback=None, *, raw=False, vars=None, _impl=None, **kwargs):
-        return self._parser.get(self.name, option, fallback=fallback)
+        return self._parser.get(self.name, option, raw=raw, vars=vars, fallback=fallback)
     def getint(self, option, fallback=None, *, raw=False, vars=None, **kwargs):
-        return self._parser.getint(self.name, option, fallback=fallback)
+        return self._parser.getint(self.name, option, vars=vars, fallback=fallback)
     def getfloat(self, option, fallback=None, *, raw=False, vars=None, **kwargs):
-        return self._parser.getfloat(self.name, option, fallback=fallback)
+        return self._parser.getfloat(self.name, option, vars=vars, fallback=fallback)
     def getboolean(self, option, fallback=None, *, raw=False, vars=None, **kwargs):
-        return self._parser.getboolean(self.name, option, fallback=fallback)
+        return self._parser.getboolean(self.name, option, vars=vars, fallback=fallback)
     def keys(self):
         return self._parser.options(self.name)
     def values(self):
@@ -53,14 +87,17 @@ class SectionProxy:
         return len(self._parser.options(self.name))
 
 class RawConfigParser:
-    def __init__(self, defaults=None, dict_type=dict, allow_no_value=False, *, default_section='DEFAULT', interpolation=None, **kwargs):
+    def __init__(self, defaults=None, dict_type=dict, allow_no_value=False, *, default_section='DEFAULT', interpolation=_NOTHING, **kwargs):
         self.default_section = default_section
+        self._interpolation = self._usual() if interpolation is _NOTHING else Interpolation() if interpolation is None else interpolation
         self._allows = allow_no_value
         self._known = {default_section: {}}
         self._open = False
         self._texts = []
         for name in defaults or {}:
             self._known[default_section][self.optionxform(name)] = defaults[name]
+    def _usual(self):
+        return Interpolation()
     def optionxform(self, optionstr):
         return optionstr.lower()
     def _take(self, text):
@@ -93,8 +130,11 @@ class RawConfigParser:
         return {**self._known[self.default_section], **self._known.get(section, {})}
     def get(self, section, option, *, raw=False, vars=None, fallback=_NOTHING, **kwargs):
         known, name = self._of(section), self.optionxform(option)
+        for each in vars or {}:
+            known[self.optionxform(each)] = vars[each]
         if name in known:
-            return either(known[name], unknown('file', section + '.' + option, 'str')) if self._open else known[name]
+            value = known[name] if raw else self._interpolation.before_get(self, section, option, known[name], vars)
+            return either(value, unknown('file', section + '.' + option, 'str')) if self._open else value
         if self._open:
             value = unknown('file', section + '.' + option, 'str')
             return value if fallback is _NOTHING else either(fallback, value)
@@ -103,15 +143,15 @@ class RawConfigParser:
         if section not in self._known:
             raise NoSectionError(section)
         raise NoOptionError(option, section)
-    def _as(self, convert, section, option, fallback):
-        value = self.get(section, option, fallback=_NOTHING if fallback is _NOTHING else None)
+    def _as(self, convert, section, option, fallback, vars):
+        value = self.get(section, option, vars=vars, fallback=_NOTHING if fallback is _NOTHING else None)
         return fallback if value is None else convert(value)
     def getint(self, section, option, *, raw=False, vars=None, fallback=_NOTHING, **kwargs):
-        return self._as(int, section, option, fallback)
+        return self._as(int, section, option, fallback, vars)
     def getfloat(self, section, option, *, raw=False, vars=None, fallback=_NOTHING, **kwargs):
-        return self._as(float, section, option, fallback)
+        return self._as(float, section, option, fallback, vars)
     def getboolean(self, section, option, *, raw=False, vars=None, fallback=_NOTHING, **kwargs):
-        return self._as(lambda value: value.lower() in ('1', 'yes', 'true', 'on'), section, option, fallback)
+        return self._as(lambda value: value.lower() in ('1', 'yes', 'true', 'on'), section, option, fallback, vars)
     def set(self, section, option, value=None):
         if section not in self._known:
             if not self._open:
@@ -141,7 +181,7 @@ class RawConfigParser:
     def items(self, section=None, raw=False, vars=None):
         if section is None:
             return [(name, SectionProxy(self, name)) for name in [self.default_section, *self.sections()]]
-        found = list(self._of(section).items())
+        found = [(name, value if raw else self._interpolation.before_get(self, section, name, value, vars)) for name, value in self._of(section).items()]
         if self._open:
             found += [(unknown('file', section, 'str'), unknown('file', section, 'str')) for _ in unknown('file', section, 'list')]
         return found
@@ -169,5 +209,7 @@ class RawConfigParser:
         return len(self.keys())
     def write(self, fp, space_around_delimiters=True):
         ask(fp, 'write', unknown('call', 'text that a library writes', 'str'))
-class ConfigParser(RawConfigParser): ...
+class ConfigParser(RawConfigParser):
+    def _usual(self):
+        return BasicInterpolation()
 SafeConfigParser = ConfigParser

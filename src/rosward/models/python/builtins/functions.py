@@ -13,7 +13,7 @@ from typing import Final
 from rosward.domain.choice import options
 from rosward.domain.compound import Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Const, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, ModuleValue, Ref, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.asked import does_something
 from rosward.models.python.builtins.attributes import attribute_names, has_attribute
@@ -159,10 +159,26 @@ def _variables(call: NativeCall) -> Value:
     return call.machine.variables(local=not call.name.endswith("globals"))
 
 
+def _of_module(call: NativeCall, module: ModuleValue) -> set[str] | None:
+    """The names in a module of the program; None where a star import hides some."""
+    attrs = call.machine.obj(Ref(module.address)).attrs
+    if not module.file or "__dir__" in attrs or "*" in attrs:
+        return None
+    return {name for name, value in attrs.items() if value is not UNBOUND}
+
+
 def _dir(call: NativeCall) -> Value:
-    """The names of the attributes of an object, where all of its classes are known."""
-    machine, names = call.machine, set(dir(object))
+    """The names of the attributes of an object, where all of its classes are known; those of a module."""
+    machine = call.machine
+    names: set[str] = set()
     for option in options(call.args[0]) if call.args else (NONE,):
+        if isinstance(option, ModuleValue):
+            inside = _of_module(call, option)
+            if inside is None:
+                return machine.unknown(Cause.LIVE, "dir", "list")
+            names.update(inside)
+            continue
+        names.update(dir(object))
         cls = machine.obj(option).cls if isinstance(option, Ref) else option
         if isinstance(cls, Class) and any(
             isinstance(b, Class) and "__dir__" in machine.obj(Ref(b.address)).attrs for b in cls.mro

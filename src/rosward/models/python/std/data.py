@@ -14,10 +14,10 @@ from typing import Final
 
 import yaml
 
-from rosward.domain.choice import lift, reasons_of
+from rosward.domain.choice import join_all, lift, options, reasons_of
 from rosward.domain.text import origins_of, readable
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.plain import text_of
 from rosward.models.python.std.support import MAX_DEPTH, NotKnown, from_plain, to_plain, unknown_from
@@ -111,7 +111,7 @@ def _reader(parse: Callable[[str], object], name: str) -> NativeFunction:
             return call.machine.die("TypeError", f"{call.name}() missing 1 required positional argument: '{name}'")
         if _hooked(call):
             return unknown_from(call, "", (source,))
-        loader = call.arg(1, "Loader") if call.name == "yaml.load" else None
+        loader = call.arg(1, "Loader") if call.name in ("yaml.load", "yaml.load_all") else None
         if isinstance(loader, Class) and loader.name == "BaseLoader":  # it leaves every scalar a text
             return unknown_from(call, "", (source,))
         return _read(parse, call, source)
@@ -119,10 +119,23 @@ def _reader(parse: Callable[[str], object], name: str) -> NativeFunction:
     return read
 
 
+def _all_yaml(text: str) -> object:
+    try:
+        _bound(text)
+        return list(yaml.load_all(text, Loader=_LOADER))
+    except yaml.constructor.ConstructorError as error:
+        raise NotKnown from error
+    except yaml.YAMLError as error:
+        raise ValueError(str(error).partition("\n")[0]) from error
+
+
 def _all_documents(call: NativeCall) -> Value:
-    source = call.arg(0, "stream")
-    return call.machine.new_list(
-        (), _of_file(call, source) if isinstance(source, (Ref, Unknown)) else unknown_from(call, "", call.args)
+    """yaml.load_all: a list of what is in each document."""
+    found = _reader(_all_yaml, "stream")(call)
+    if found is UNBOUND:
+        return found
+    return join_all(
+        option if isinstance(option, Ref) else call.machine.new_list((), option) for option in options(found)
     )
 
 

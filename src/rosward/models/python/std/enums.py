@@ -15,11 +15,12 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.compound import Descriptor, External, Native, Partial, Tuple
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.builtins.attributes import of_python
 from rosward.models.python.plain import int_of, text_of
 from rosward.models.python.std.enum_operations import (
     COMPARISONS,
@@ -36,7 +37,8 @@ _COMBINED: Final = "_rosward_flags"
 """Where a class of flags keeps those of several bits that were asked for."""
 _AUTO: Final = "enum.auto()"
 _SEVERAL: Final = (Choice, Text, Unknown)
-_NO_MEMBER: Final = (Function, Descriptor, Class, Native, Partial)
+_NO_MEMBER: Final = (Function, Descriptor, BoundMethod)
+"""What has a `__get__`: a method, not a member."""
 _MEMBERS: Final = "__members__"
 _DATA_TYPES: Final = ("str", "int", "float", "bytes")
 
@@ -105,9 +107,18 @@ def _key(call: NativeCall, value: Value) -> object:
     return None if isinstance(value, _SEVERAL) else value
 
 
-def _is_member(name: str, value: Value) -> bool:
+def _is_member(call: NativeCall, cls: Class, name: str, value: Value) -> bool:
+    """Whether a name of the body is a member: not what has a `__get__`, nor a class that is written in the body."""
     if name.startswith("_") and (name.endswith("_") or name.startswith("__")):
         return False
+    if isinstance(value, Class):
+        return value.qualname != f"{cls.qualname}.{name}"
+    if isinstance(value, Native):
+        known = of_python(value.name)
+        return known is not None and not hasattr(known, "__get__")
+    if isinstance(value, Ref):
+        kind = call.machine.obj(value).cls
+        return not isinstance(kind, Class) or _hook(call, kind, "__get__") is None
     return not isinstance(value, _NO_MEMBER) and value is not UNBOUND
 
 
@@ -126,7 +137,7 @@ def make_members(call: NativeCall) -> Value:
     data = _data_type(cls)
     hidden = f"_{cls.name.lstrip('_')}__"
     for name, written in tuple(machine.obj(where).attrs.items()):
-        if name in ignored or name.startswith(hidden) or not _is_member(name, written):
+        if name in ignored or name.startswith(hidden) or not _is_member(call, cls, name, written):
             continue
         value = _resolve(call, cls, name, written, values, given)
         values.append(value)

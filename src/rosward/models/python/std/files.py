@@ -12,9 +12,10 @@ import fnmatch
 from typing import Final
 
 from rosward.domain.choice import lift, options
+from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, make, origins_of, parts_of, readable
 from rosward.domain.unknown import Cause
-from rosward.domain.values import EMPTY, TRUE, Const, Unknown, Value
+from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Unknown, Value
 from rosward.models.file_paths import is_beside, location_of
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.plain import FILE_HINT, text_of
@@ -89,7 +90,7 @@ def _listdir(call: NativeCall) -> Value:
     def one(path: Value) -> Value:
         names = _names(call, path)
         if names is None:
-            return _unknown_list(call, path)
+            return _perhaps(call, path, [Const(name) for name in _beside(call, path)])
         return call.machine.new_list([Const(name) for name in names])
 
     return lift(one, _path(call, "path"))
@@ -106,17 +107,51 @@ def _glob(call: NativeCall) -> Value:
             return _unknown_list(call, path)
         folder = make((*parts[:-1], head), origins_of(path))
         names = _names(call, folder)
-        if names is None:
-            return _unknown_list(call, path)
-        fitting = [n for n in names if fnmatch.fnmatchcase(n, wanted) and (wanted[:1] == "." or n[:1] != ".")]
-        return call.machine.new_list([concat((folder, Const(f"/{name}"))) for name in fitting])
+        fitting = [
+            concat((folder, Const(f"/{name}")))
+            for name in (_beside(call, folder) if names is None else names)
+            if fnmatch.fnmatchcase(name, wanted) and (wanted[:1] == "." or name[:1] != ".")
+        ]
+        return _perhaps(call, path, fitting) if names is None else call.machine.new_list(fitting)
 
     return lift(one, _path(call, "pathname"))
 
 
+def _modules(call: NativeCall) -> Value:
+    """pkgutil._modules(folder, prefix): pairs of the name of a module and whether it is a package; None where the folder is not known."""
+    files = call.machine.files
+
+    def one(path: Value) -> Value:
+        where = location_of(path)
+        if where is None or where.package:
+            return NONE
+        names = files.modules(where.relative)
+        found: list[Value] = []
+        for name in names:
+            inside = f"{where.relative}/{name}" if where.relative else name
+            if not name.endswith(".py") and "__init__.py" in files.modules(inside):
+                found.append(Tuple((Const(name), TRUE)))
+            elif name.endswith(".py") and name != "__init__.py":
+                found.append(Tuple((Const(name.removesuffix(".py")), FALSE)))
+        return Tuple(tuple(found)) if names else NONE
+
+    return lift(one, call.args[0])
+
+
+def _beside(call: NativeCall, path: Value) -> tuple[str, ...]:
+    """What lies in Python in a folder of the sources; the build, or whoever installs it, may put more there."""
+    where = location_of(path)
+    return call.machine.files.modules(where.relative) if where is not None and not where.package else ()
+
+
 def _unknown_list(call: NativeCall, path: Value) -> Value:
+    return _perhaps(call, path, [])
+
+
+def _perhaps(call: NativeCall, path: Value, known: list[Value]) -> Value:
+    """What is known to be there, and anything else."""
     subject = text_of(path) or (call.name if isinstance(path, Unknown) else readable(path))
-    return call.machine.new_list((), call.machine.unknown(Cause.FILE, subject, "str"))
+    return call.machine.new_list(known, call.machine.unknown(Cause.FILE, subject, "str"))
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
@@ -128,6 +163,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "os.path.isfile": _is_there(files=True, folders=False),
     "os.path.isdir": _is_there(files=False, folders=True),
     "os.listdir": _listdir,
+    "pkgutil._modules": _modules,
     "glob.glob": _glob,
     "glob.iglob": _glob,
 }

@@ -21,7 +21,8 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import text_of
-from rosward.models.python.std.support import class_obj, exact_dict, place_dict, place_list
+from rosward.models.python.std.support import class_obj, exact_dict, exact_list, place_dict, place_list
+from rosward.models.python.strings.formatting import joined, represent
 
 FIELDS: Final = "__dataclass_fields__"
 FROZEN: Final = Native("dataclasses.refuse")
@@ -39,23 +40,30 @@ class _Field(NamedTuple):
     kw_only: bool
     default: Value
     factory: Value
+    metadata: Value = UNBOUND
+    compared: bool = True
+    shown: bool = True
 
     def pack(self) -> Value:
         def some(value: Value) -> Value:
             return _ABSENT if value is UNBOUND else Tuple((value,))
 
-        flags = (Const(self.init), Const(self.kw_only))
-        return Tuple((Const(self.name), Const(self.kind), *flags, some(self.default), some(self.factory)))
+        flags = (Const(self.init), Const(self.kw_only), Const(self.compared), Const(self.shown))
+        return Tuple(
+            (Const(self.name), Const(self.kind), *flags, some(self.default), some(self.factory), some(self.metadata))
+        )
 
 
 def _unpack(value: Value) -> list[_Field]:
     found: list[_Field] = []
     for one in value.items if isinstance(value, Tuple) else ():
-        if isinstance(one, Tuple) and len(one.items) == 6:
-            name, kind, init, kw_only, default, factory = one.items
-            some = [t.items[0] if isinstance(t, Tuple) and t.items else UNBOUND for t in (default, factory)]
+        if isinstance(one, Tuple) and len(one.items) == 9:
+            name, kind, init, kw_only, compared, shown, *rest = one.items
+            default, factory, metadata = (t.items[0] if isinstance(t, Tuple) and t.items else UNBOUND for t in rest)
+            flags = (init == TRUE, kw_only == TRUE)
+            told = (default, factory, metadata)
             found.append(
-                _Field(text_of(name) or "", text_of(kind) or "field", init == TRUE, kw_only == TRUE, some[0], some[1])
+                _Field(text_of(name) or "", text_of(kind) or "field", *flags, *told, compared == TRUE, shown == TRUE)
             )
     return found
 
@@ -102,9 +110,12 @@ def dataclass(call: NativeCall) -> Value:
     positional = tuple(Const(f.name) for f in fields.values() if f.init and not f.kw_only)
     if "__match_args__" not in attrs:
         machine.store_attr(cls, "__match_args__", Tuple(positional))
-    for name, option in (("init", "__init__"), ("eq", "__eq__")):
+    for name, option in (("init", "__init__"), ("eq", "__eq__"), ("repr", "__repr__")):
         if option not in attrs and machine.truth(call.keywords.get(name, TRUE)) is not False:
             machine.store_attr(cls, option, Native(f"dataclasses.{name}"))
+    if machine.truth(call.keywords.get("order", FALSE)) is True:
+        for option in _ORDERS:
+            machine.store_attr(cls, option, Native(f"dataclasses.{option}"))
     if machine.truth(call.keywords.get("frozen", FALSE)) is True:
         machine.store_attr(cls, "__setattr__", FROZEN)
     if machine.truth(call.keywords.get("slots", FALSE)) is True:
@@ -130,12 +141,39 @@ def _field(machine: Machine, cls: Class, name: str, annotation: str, *, written:
         machine.store_attr(cls, name, default)
     init = machine.truth(given.get("init", TRUE)) is not False
     only = machine.truth(given["kw_only"]) is True if "kw_only" in given else kw_only
-    return _Field(name, kind, init, only, default, factory)
+    compared, shown = (machine.truth(given.get(o, TRUE)) is not False for o in ("compare", "repr"))
+    return _Field(name, kind, init, only, default, factory, given.get("metadata", UNBOUND), compared, shown)
 
 
 def _make_field(call: NativeCall) -> Value:
     """dataclasses.field(...): what was given of it."""
     return call.machine.allocate(Obj("instance", FIELD, dict(call.keywords)))
+
+
+def _make(call: NativeCall) -> Value:
+    """make_dataclass(name, fields, bases=(), namespace=None, ...): a class with these annotations, and the decorator for it."""
+    machine = call.machine
+    given = call.arg(1, "fields")
+    rows = exact_list(machine, given) if given is not None else None
+    bases, own = call.keywords.get("bases", Tuple(())), call.keywords.get("namespace", NONE)
+    names = {} if own == NONE else exact_dict(machine, own)
+    notes: dict[Value, Value] = {}
+    for row in rows or ():
+        parts = (row,) if text_of(row) is not None else exact_list(machine, row) or ()
+        name = text_of(parts[0]) if parts else None
+        if name is None or names is None:
+            return machine.unknown(Cause.CALL, call.name)
+        notes[Const(name)] = Const("object")
+        if len(parts) > 2:
+            names[Const(name)] = parts[2]
+    if rows is None or names is None:
+        return machine.unknown(Cause.CALL, call.name)
+    body = machine.new_dict({**names, Const("__annotations__"): machine.new_dict(notes)})
+    cls = machine.call(Native("builtins.type"), (call.arg(0, "cls_name") or NONE, bases, body))
+    options = {
+        k: v for k, v in call.keywords.items() if k not in ("cls_name", "fields", "bases", "namespace", "module")
+    }
+    return machine.call(Native("dataclasses.dataclass"), (cls,), options)
 
 
 def _default(machine: Machine, field: _Field) -> Value:
@@ -210,13 +248,46 @@ def _own_method(machine: Machine, cls: Value | None, name: str) -> Value | None:
 
 def _eq(call: NativeCall) -> Value:
     """dataclasses.eq(a, b): field by field."""
+    pair = _compared(call)
+    if pair is None:
+        right = call.args[1]
+        return FALSE if isinstance(right, (Const, Ref)) else call.machine.unknown(Cause.OPERATION, "==", "bool")
+    return call.machine.compare("==", *pair)
+
+
+def _repr(call: NativeCall) -> Value:
+    """dataclasses.repr(instance): `Topic(name='/scan', depth=10)`."""
+    machine, instance = call.machine, call.args[0]
+    cls = class_of(machine, instance)
+    shown = [f.name for f in fields_of(machine, cls or NONE) or () if f.kind == "field" and f.shown]
+    pieces: list[Value] = [Const(f"{cls.qualname}(" if isinstance(cls, Class) else "(")]
+    for number, name in enumerate(shown):
+        pieces += [Const(f"{', ' if number else ''}{name}="), represent(machine, machine.load_attr(instance, name))]
+    return joined(machine, [*pieces, Const(")")])
+
+
+_ORDERS: Final = {"__lt__": "<", "__le__": "<=", "__gt__": ">", "__ge__": ">="}
+
+
+def _order(call: NativeCall) -> Value:
+    """dataclasses.__lt__(a, b) and the like, of a class with an order: field by field."""
+    operator = _ORDERS[call.name.rpartition(".")[2]]
+    pair = _compared(call)
+    if pair is None:
+        return call.machine.unknown(Cause.OPERATION, operator, "bool")
+    return call.machine.compare(operator, *pair)
+
+
+def _compared(call: NativeCall) -> tuple[Value, Value] | None:
+    """The fields of two objects that are compared; None where they are not of one class."""
     machine, (left, right) = call.machine, call.exactly(2)
-    fields = fields_of(machine, class_of(machine, left) or NONE)
-    if fields is None or class_of(machine, left) != class_of(machine, right):
-        return FALSE if isinstance(right, (Const, Ref)) else machine.unknown(Cause.OPERATION, "==", "bool")
-    names = [f.name for f in fields if f.kind == "field"]
-    pairs = [Tuple(tuple(machine.load_attr(v, n) for n in names)) for v in (left, right)]
-    return machine.compare("==", pairs[0], pairs[1])
+    cls = class_of(machine, left)
+    fields = fields_of(machine, cls or NONE)
+    if fields is None or cls != class_of(machine, right):
+        return None
+    names = [f.name for f in fields if f.kind == "field" and f.compared]
+    first, second = (Tuple(tuple(machine.load_attr(v, n) for n in names)) for v in (left, right))
+    return first, second
 
 
 def _field_names(machine: Machine, value: Value) -> list[str] | None:
@@ -268,6 +339,7 @@ def _fields(call: NativeCall) -> Value:
     if found is None:
         return machine.unknown(Cause.CALL, call.name, "tuple")
     made: list[Value] = []
+    missing = machine.load_attr(machine.load_module("dataclasses"), "MISSING")
     for field in found:
         if field.kind == "field":
             attrs: dict[str, Value] = {
@@ -275,8 +347,10 @@ def _fields(call: NativeCall) -> Value:
                 "init": Const(field.init),
                 "kw_only": Const(field.kw_only),
             }
-            if field.default is not UNBOUND:
-                attrs["default"] = field.default
+            for said, given in (("default", field.default), ("default_factory", field.factory)):
+                attrs[said] = missing if given is UNBOUND else given
+            attrs["metadata"] = machine.new_dict({}) if field.metadata is UNBOUND else field.metadata
+            attrs["type"] = machine.unknown(Cause.CALL, "dataclasses.Field.type")
             made.append(machine.allocate(Obj("instance", FIELD, attrs), field.name))
     return Tuple(tuple(made))
 
@@ -289,9 +363,12 @@ def _is_dataclass(call: NativeCall) -> Value:
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "dataclasses.dataclass": dataclass,
+    "dataclasses.make_dataclass": _make,
     "dataclasses.field": _make_field,
     "dataclasses.init": init,
     "dataclasses.eq": _eq,
+    "dataclasses.repr": _repr,
+    **{f"dataclasses.{name}": _order for name in _ORDERS},
     "dataclasses.refuse": _refuse,
     "dataclasses.asdict": _as,
     "dataclasses.astuple": _as,

@@ -56,10 +56,7 @@ def _settings(call: NativeCall, dialect: Value, given: Value) -> dict[str, Any]:
 
 
 def _sections(call: NativeCall) -> Value:
-    """configparser._sections(text, allows_no_value): a tuple of (section, option, value) in order; None where the text is not known.
-
-    Values in which another one is to be put in (`%(home)s`) are not known.
-    """
+    """configparser._sections(text, allows_no_value): a tuple of (section, option, value) in order; None where the text is not known."""
     text, allows = call.exactly(2)
 
     def one(option: Value) -> Value:
@@ -76,8 +73,7 @@ def _sections(call: NativeCall) -> Value:
         origins = origins_of(option)
 
         def value(section: str, name: str, held: str | None) -> Value:
-            known = unknown_from(call, "str", (option,)) if held is not None and "%" in held else Const(held, origins)
-            return Tuple((Const(section), Const(name), known))
+            return Tuple((Const(section), Const(name), Const(held, origins)))
 
         found = [value(parser.default_section, name, held) for name, held in parser.defaults().items()]
         for section in parser.sections():

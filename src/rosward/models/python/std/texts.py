@@ -203,6 +203,20 @@ def _shell_split(call: NativeCall) -> Value:
     return _list_of(call, run, tuple(v for v in given if v is not None), "str")
 
 
+def _wrapped(call: NativeCall) -> Value:
+    """textwrap.wrap(text, width)."""
+    if call.keywords.keys() - {"width"} or len(call.args) > 2:
+        return call.machine.new_list((), unknown_from(call, "str", (*call.args, *call.keywords.values())))
+
+    def run(text: Any, width: Any) -> object:
+        if not isinstance(text, str) or len(text) > 10_000:
+            raise NotKnown
+        return textwrap.wrap(text, width)
+
+    given = (call.arg(0, "text") or NONE, call.arg(1, "width", Const(70)) or Const(70))
+    return _list_of(call, run, given, "str")
+
+
 def _literal(call: NativeCall) -> Value:
     """ast.literal_eval of a constant."""
     try:
@@ -239,6 +253,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "string.capwords": _pure(string.capwords, "str"),
     "textwrap.dedent": _pure(textwrap.dedent, "str"),
     "textwrap.indent": _pure(textwrap.indent, "str"),
+    "textwrap.wrap": _wrapped,
     "textwrap.fill": _pure(textwrap.fill, "str"),
     "textwrap.shorten": _pure(textwrap.shorten, "str"),
     "shlex.quote": _pure(shlex.quote, "str"),
