@@ -160,7 +160,19 @@ def _fields(action: LaunchAction) -> Iterator[str]:
             yield f"{field.name}={shown(value)}"
 
 
-_HIDDEN = ("place", "identity", "actions", "body", "on_exit", "components", "function", "args", "kwargs")
+_HIDDEN = (
+    "place",
+    "identity",
+    "several",
+    "loader",
+    "actions",
+    "body",
+    "on_exit",
+    "components",
+    "function",
+    "args",
+    "kwargs",
+)
 
 
 def shown(value: object) -> str:

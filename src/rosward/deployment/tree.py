@@ -116,12 +116,13 @@ class Condition(NamedTuple):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LaunchAction:
     """One entry of a launch description; `place` is where it is written. `identity` is the object of the launch file that it was read
-    from, where there is one: event handlers name it as their target.
+    from, where there is one: event handlers name it as their target. `several`: it stands for more than one object.
     """
 
     place: Place
     condition: Condition | None = None
     identity: Value | None = None
+    several: bool = False
 
 
 class NodeKind(enum.Enum):
@@ -194,12 +195,16 @@ class LoadComponents(LaunchAction):
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Include(LaunchAction):
-    """IncludeLaunchDescription: a file by path (`format` python, xml, yaml, any), or a description made in place (`body`)."""
+    """IncludeLaunchDescription: a file by path (`format` python, xml, yaml, any), or a description made in place (`body`).
+
+    `loader` is the object that loads the file, where it is one: launch loads it once, so that each include of it has the same actions.
+    """
 
     path: Template | None
     format: str = "any"
     arguments: tuple[tuple[Template, Template], ...] = ()
     body: tuple[LaunchAction, ...] = ()
+    loader: Value | None = None
 
 
 @final

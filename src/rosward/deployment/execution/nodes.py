@@ -46,13 +46,17 @@ _KINDS: Final = {
 
 
 class At(NamedTuple):
-    """The circumstances under which an action is executed, as `Started` has them; `depth` counts the includes and groups around."""
+    """The circumstances under which an action is executed, as `Started` has them; `depth` counts the includes and groups around.
+
+    `load` says which time of loading a launch file gave the action: the same object of another load is another action.
+    """
 
     conditional: bool = False
     why: tuple[str, ...] = ()
     event: str = ""
     trail: tuple[Inclusion, ...] = ()
     depth: int = 0
+    load: int = 0
 
     def inside(self, file: str) -> At:
         """In the file that the last include names."""

@@ -2,6 +2,7 @@
 """What an ExecuteProcess starts: the node of `ros2 run`, the system of `ros2 launch`, a script, or any other program.
 
 cmd=['ros2', 'run', 'demo', 'talker', '-v']          ->  Started(NODE, package='demo', executable='talker', words: -v)
+cmd=[ExecutableInPackage('talker', 'demo'), '-v']    ->  the same
 cmd=['ros2 launch demo a.launch.py x:=1'], shell     ->  Launch('demo', 'a.launch.py', {'x': '1'})
 cmd=['python3', '/opt/tool.py', '--fast']            ->  Started(PROCESS, executable='/opt/tool.py', words: --fast)
 """
@@ -18,6 +19,7 @@ from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import StartProcess
 from rosward.domain.choice import lift2, options
 from rosward.domain.text import concat, make, origins_of, parts_of
+from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, Const, Hole, Value
 from rosward.effects.configuration import Configuration
 from rosward.models.python.std.paths import basename
@@ -92,6 +94,8 @@ def _process(
         launch = _launch(words[2:])
         if launch is not None:
             return launch
+    elif (installed := _installed(words[0])) is not None:
+        kind, (package, executable) = StartKind.NODE, installed
     elif program in _PYTHON and len(words) > 1 and not (verb or "").startswith("-"):
         executable, rest = words[1], tuple(words[2:])
     given = environment(action.environment, action.replaces_environment, scene, action.place)
@@ -107,6 +111,18 @@ def _process(
         event=at.event,
         trail=at.trail,
     )
+
+
+def _installed(path: Value) -> tuple[Value, Value] | None:
+    """The package and the name of an executable whose path leads below the prefix of its package, as `ros2 run` finds it."""
+    first, *rest = parts_of(path)
+    if not isinstance(first, Hole) or len(rest) != 1 or not isinstance(rest[0], str) or len(first.reasons) != 1:
+        return None
+    reason = first.reasons[0]
+    folder, _, name = rest[0].rpartition("/")
+    if reason.cause is not Cause.PREFIX or folder != f"/lib/{reason.subject}" or not name:
+        return None
+    return Const(reason.subject), Const(name)
 
 
 def _without_prefix(words: Sequence[Value]) -> list[Value]:

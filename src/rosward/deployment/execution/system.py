@@ -59,6 +59,9 @@ class RunningLaunch:
         self._budget = budget
         self._agenda = Agenda()
         self._containers: dict[tuple[Place, object, object], Value] = {}
+        self._executed: set[tuple[int, Value]] = set()
+        self._loads: dict[tuple[int, Value], int] = {}
+        """Which load of a file it was that a source, in its own load, stands for."""
         self._added: dict[Value, list[tuple[tuple[tree.LaunchAction, ...], tuple[str, ...]]]] = {}
         """What functions have added to launch descriptions, and why it is open whether these ran."""
 
@@ -172,7 +175,22 @@ class RunningLaunch:
 
     # What starts something
 
+    def _again(self, action: tree.LaunchAction, at: At) -> bool:
+        """Whether launch refuses to start a process since the same object has surely started one before."""
+        if action.identity is None or action.several or at.conditional or at.event:
+            return False
+        key = at.load, action.identity
+        if key not in self._executed:
+            self._executed.add(key)
+            return False
+        self.scene.fails(
+            "the same action is executed a second time, which launch refuses: make one for each", action.place
+        )
+        return True
+
     def _start(self, action: tree.StartNode, at: At) -> None:
+        if self._again(action, at):
+            return
         if action.kind is tree.NodeKind.CONTAINER or action.components:
             self._containers[_key(action)] = container_name(action, self.scene)
         self.started += start_node(action, self.scene, at)
@@ -200,6 +218,8 @@ class RunningLaunch:
                 self.started += load_component(component, container, self.scene, way)
 
     def _start_process(self, action: tree.StartProcess, at: At) -> None:
+        if self._again(action, at):
+            return
         for found in start_process(action, self.scene, at):
             if isinstance(found, Started):
                 self.started.append(found)
@@ -281,7 +301,11 @@ class RunningLaunch:
         self.scene.context.files = (normal_path(path),)
         self._set_arguments(action)
         if description is not None and file is not None:
-            self.walk(description.actions, at.inside(file))
+            self.walk(description.actions, at.inside(file)._replace(load=self._load_of(action, at)))
+
+    def _load_of(self, action: tree.Include, at: At) -> int:
+        fresh = self._budget.left
+        return fresh if action.loader is None else self._loads.setdefault((at.load, action.loader), fresh)
 
     def _set_arguments(self, action: tree.Include) -> None:
         for name, value in action.arguments:

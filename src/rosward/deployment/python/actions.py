@@ -52,7 +52,7 @@ _DEEPEST: Final = 60
 _MOST: Final = 10_000
 
 Given = dict[str, Any]
-"""What all actions have in common: `place`, `condition` and `identity`."""
+"""What all actions have in common: `place`, `condition`, `identity` and `several`."""
 
 
 @final
@@ -209,7 +209,12 @@ class Actions:
         objects = self.objects
         kind = objects.kind(ref)
         condition = self.texts.condition(objects.field(ref, "condition"), here)
-        given: Given = {"place": here, "condition": condition, "identity": ref}
+        given: Given = {
+            "place": here,
+            "condition": condition,
+            "identity": ref,
+            "several": objects.machine.obj(ref).many,
+        }
         for each in objects.kinds(ref):  # an action that derives from another one is executed as that one is
             reader = self.readers.get(each)
             if reader is not None:
@@ -307,7 +312,8 @@ class Actions:
         name = self.objects.kind(source).rpartition(".")[2]
         form = next((f for begin, f in _FORMATS.items() if name.startswith(begin)), "any")
         path = self.texts.template(self.objects.field(source, "location"), place)
-        return Include(path=path, format=form, arguments=arguments, **given)
+        loader = None if self.objects.machine.obj(source).many else source
+        return Include(path=path, format=form, arguments=arguments, loader=loader, **given)
 
     def _opaque(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         function = self.objects.field(ref, "function")
