@@ -34,8 +34,8 @@ from rosward.source.location import Place
 PLACE: Final = record(Place, TEXT, NUMBER, NUMBER)
 PLACES: Final = sequence(PLACE)
 FINDING: Final = record(
-    Finding, told_apart(TEXT, RULES.__contains__), TEXT, PLACE, LINES, LINES, TEXT, PLACES
-)  # code, message, place, causes, nodes, remedy, path
+    Finding, told_apart(TEXT, RULES.__contains__), TEXT, PLACE, LINES, LINES, TEXT, PLACES, LINES
+)  # code, message, place, causes, nodes, remedy, path, doubts
 FINDINGS: Final = sequence(FINDING)
 
 # Nodes

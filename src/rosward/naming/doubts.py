@@ -8,7 +8,7 @@ from typing import Final
 from rosward.domain.choice import reasons_of
 from rosward.domain.unknown import OTHERS, OUTSIDE, Cause, Reason, causes_of
 from rosward.domain.values import Value
-from rosward.findings import Finding
+from rosward.findings import Finding, doubtful
 from rosward.holes import with_stars
 from rosward.naming.command_line import UNKNOWN_ARGUMENTS
 from rosward.naming.options import NameOption
@@ -28,12 +28,14 @@ _REMEDY: Final = {
 }
 
 
+_MOST_REASONS: Final = 3
+
+
 def _doubt(code: str, what: str, reasons: tuple[Reason, ...], place: Place) -> Finding:
     """What is not known, because of what, and the one thing that settles it."""
-    because = " because of " + "; ".join(str(r) for r in reasons[:3]) if reasons else ""
     remedy = next((_remedy(r) for r in reasons if r.cause in _REMEDY), "")
-    message = f"{what}{because}: {remedy}" if remedy else f"{what}{because}"
-    return Finding(code, message, place, causes_of(reasons, place), remedy=remedy)
+    doubts = tuple(dict.fromkeys(str(r) for r in reasons[:_MOST_REASONS]))
+    return doubtful(code, what, doubts, place, causes_of(reasons, place), remedy=remedy)
 
 
 def _remedy(reason: Reason) -> str:
