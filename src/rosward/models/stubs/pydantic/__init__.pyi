@@ -281,29 +281,35 @@ def _take_of(shape, config, value):
 
 def _checked(cls, name, info, value, config, data):
     """What a field becomes of a value: validators before, the annotation, validators behind."""
+    hooks = [(hook, bound(hook.function, cls, None)) for hook in _hooks(cls, 'field') if name in hook.fields or '*' in hook.fields]
+    if not hooks:
+        return info.applied(_take(info.shape, value, config))
     told = _Info(cls, name, data)
-    hooks = [hook for hook in _hooks(cls, 'field') if name in hook.fields or '*' in hook.fields]
-    try:
-        for hook in hooks:
-            if hook.mode == 'before':
-                value = _asked(bound(hook.function, cls, None), value, told.data if hook.old else told)
-        plain = [hook for hook in hooks if hook.mode == 'plain']
-        wrapped = [hook for hook in hooks if hook.mode == 'wrap']
-        if plain:
-            value = _asked(bound(plain[-1].function, cls, None), value, told)
-        elif wrapped:
-            function = bound(wrapped[-1].function, cls, None)
-            handler = functools.partial(_take_of, info.shape, config)
-            value = function(value, handler) if room(function) == 2 else function(value, handler, told)
-        else:
-            value = _take(info.shape, value, config)
-        value = info.applied(value)
-        for hook in hooks:
-            if hook.mode == 'after':
-                value = _asked(bound(hook.function, cls, None), value, told.data if hook.old else told)
-    except (ValueError, AssertionError) as error:
-        raise ValidationError(str(error))
+    for hook, function in hooks:
+        if hook.mode == 'before':
+            value = _tried(function, value, told.data if hook.old else told)
+    plain = [function for hook, function in hooks if hook.mode == 'plain']
+    wrapped = [function for hook, function in hooks if hook.mode == 'wrap']
+    if plain:
+        value = _tried(plain[-1], value, told)
+    elif wrapped:
+        handler = functools.partial(_take_of, info.shape, config)
+        value = wrapped[-1](value, handler) if room(wrapped[-1]) == 2 else wrapped[-1](value, handler, told)
+    else:
+        value = _take(info.shape, value, config)
+    value = info.applied(value)
+    for hook, function in hooks:
+        if hook.mode == 'after':
+            value = _tried(function, value, told.data if hook.old else told)
     return value
+
+def _tried(function, value, info):
+    """What a validator gives; what it raises is part of a ValidationError."""
+    alone = room(function) == 1
+    try:
+        return function(value) if alone else function(value, info)
+    except (ValueError, AssertionError):
+        raise ValidationError('refused')
 
 def _private(self, cls):
     for base in _order(cls):
@@ -369,10 +375,11 @@ def _fill(self, data, given=None):
                     object.__setattr__(self, name, value)
             else:
                 function = bound(hook.function, cls, self)
+                alone, told = room(function) == 0, _Info(cls, None, {})
                 try:
-                    function() if room(function) == 0 else function(_Info(cls, None, {}))
-                except (ValueError, AssertionError) as error:
-                    raise ValidationError(str(error))
+                    function() if alone else function(told)
+                except (ValueError, AssertionError):
+                    raise ValidationError('refused')
 
 def _always(cls, name):
     return any(hook.always and name in hook.fields for hook in _hooks(cls, 'field'))
