@@ -7,7 +7,7 @@ import random
 
 import pytest
 
-from rosward.findings import Finding, each_once
+from rosward.findings import Finding, doubtful, each_once
 from rosward.one_cause import OneCause, by_cause, more_of
 from rosward.rules import RULES, Severity
 from rosward.source.location import Place
@@ -75,3 +75,23 @@ def test_what_is_said_twice_is_said_once_of_all_that_it_is_about() -> None:
         Finding("RW315", "m", place, ("c",), ("/a",)),
     ]
     assert each_once(twice) == (Finding("RW315", "m", place, ("c",), ("/a", "/b")),)
+
+
+def test_a_place_is_told_once_with_all_reasons() -> None:
+    here, there = Place("a.py", 1), Place("b.py", 1)
+    found = each_once(
+        [
+            doubtful("RW101", "the name of this publisher is unknown", ["x", "y"], here, ("1",)),
+            doubtful("RW101", "the name of this publisher is unknown", ["z", "x"], here, ("2",), remedy="do it"),
+            doubtful("RW101", "the name of this client is unknown", ["x"], here),
+            doubtful("RW101", "the name of this publisher is unknown", ["x"], there),
+        ]
+    )
+    assert [f.message for f in found] == [
+        "the name of this client is unknown because of x",
+        "the name of this publisher is unknown because of x; y; z: do it",
+        "the name of this publisher is unknown because of x",
+    ]
+    assert found[1].causes == ("1", "2")
+    many = doubtful("RW101", "this is unknown", [str(n) for n in range(9)], here)
+    assert many.message == "this is unknown because of 0; 1; 2; 3; 4; 5; and 3 more"

@@ -23,7 +23,11 @@ from rosward.models.tables import own_models
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 
-IMPORTS = HEAD + "from launch_ros.parameter_descriptions import Parameter, ParameterValue\nfrom typing import List\n"
+IMPORTS = (
+    HEAD
+    + "from launch_ros.parameter_descriptions import Parameter, ParameterValue\nfrom typing import List\n"
+    + "from launch_ros.substitutions import ExecutableInPackage, FindPackagePrefix\n"
+)
 
 MARKUP = {
     "mathematics need no import in an expression": (
@@ -89,6 +93,25 @@ PYTHON = {
         "demo/a 1 --ros-args\ndemo/b 2 --ros-args",
         "",
     ),
+    "an object starts one process": (
+        """n := Node(package='demo', executable='talker'), n,
+        *[GroupAction([m], condition=IfCondition(c)) for m in [Node(package='demo', executable='other')] for c in ('true', 'false')],
+        *[Node(package='demo', executable=f'e{i}') for i in range(2)]""",
+        "demo/talker --ros-args\ndemo/other --ros-args\ndemo/e0 --ros-args\ndemo/e1 --ros-args",
+        "RW320",
+    ),
+    "a function that is called again makes other objects": (
+        """*[OpaqueFunction(function=lambda context, i: [Node(package='demo', executable=f'e{i}')], args=[i]) for i in range(2)]""",
+        "demo/e0 --ros-args\ndemo/e1 --ros-args",
+        "",
+    ),
+    "a program by its path": (
+        """ExecuteProcess(cmd=[ExecutableInPackage('talker', 'demo'), '--ros-args', '-r', 'a:=b']),
+        ExecuteProcess(cmd=[FindPackagePrefix('demo'), '/lib/demo/talker']),
+        ExecuteProcess(cmd=[[FindPackagePrefix('demo'), '/lib/demo/other'], 'x'])""",
+        "demo/talker --ros-args -r a:=b\n* /lib/demo/talker\ndemo/other x",
+        "",
+    ),
     "a counted loop": (
         "ForLoop('2', function=lambda i: [Node(package='demo', executable='e' + str(i))])",
         "demo/e0 --ros-args\ndemo/e1 --ros-args",
@@ -100,7 +123,7 @@ PYTHON = {
 def run(folder: Path, name: str, text: str) -> tuple[str, set[str]]:
     """What a launch file of the package demo starts, and which failures are told."""
     launch = folder / "demo/launch"
-    launch.mkdir(parents=True)
+    launch.mkdir(parents=True, exist_ok=True)
     (folder / "demo/package.xml").write_text('<package format="3"><name>demo</name></package>', encoding="utf-8")
     (launch / name).write_text(text, encoding="utf-8")
     tree = SourceTree(discover([folder]))
@@ -126,6 +149,27 @@ def test_python(name: str, tmp_path: Path) -> None:
     text, starts, codes = PYTHON[name]
     program = f"{IMPORTS}\ndef generate_launch_description():\n    return LaunchDescription([{text}])\n"
     assert run(tmp_path, "main.launch.py", program) == (dedent(starts).strip(), set(codes.split()))
+
+
+INNER = (
+    "def generate_launch_description():\n"
+    "    return LaunchDescription([Node(package='demo', executable=LaunchConfiguration('n'))])\n"
+)
+
+
+@pytest.mark.parametrize(("sources", "starts", "codes"), [("s, s", "demo/0", "RW320"), ("s, t", "demo/0\ndemo/1", "")])
+def test_a_source_is_loaded_once(sources: str, starts: str, codes: str, tmp_path: Path) -> None:
+    (tmp_path / "demo/launch").mkdir(parents=True)
+    (tmp_path / "demo/launch/inner.launch.py").write_text(f"{IMPORTS}\n{INNER}", encoding="utf-8")
+    program = f"""{IMPORTS}
+def generate_launch_description():
+    s, t = (PythonLaunchDescriptionSource([ThisLaunchFileDir(), '/inner.launch.py']) for _ in range(2))
+    arguments = [{{'n': str(i)}}.items() for i in range(2)]
+    return LaunchDescription([IncludeLaunchDescription(x, launch_arguments=a) for x, a in zip(({sources}), arguments)])
+"""
+    found, told_codes = run(tmp_path, "main.launch.py", program)
+    assert [each.split()[0] for each in found.splitlines()] == starts.split()
+    assert told_codes == set(codes.split())
 
 
 def test_a_launch_file_imports_another_one(tmp_path: Path) -> None:
