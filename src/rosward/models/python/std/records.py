@@ -6,7 +6,7 @@
         name: str                  Topic('/scan').name == '/scan', .depth == 10
         depth: int = 10
 
-`dataclasses.dataclass` leaves the fields in the class attribute `__dataclass_fields__` and
+`dataclasses.dataclass` leaves the fields in an attribute of the class and
 `Native('dataclasses.init')` as `__init__`: a native in a class is bound like a function, the instance comes first.
 """
 
@@ -24,7 +24,8 @@ from rosward.models.python.plain import text_of
 from rosward.models.python.std.support import class_obj, exact_dict, exact_list, place_dict, place_list
 from rosward.models.python.strings.formatting import joined, represent
 
-FIELDS: Final = "__dataclass_fields__"
+FIELDS: Final = "_rosward_fields"
+"""Where a class keeps what is known of its fields; the program sees `__dataclass_fields__`, a dict of them."""
 FROZEN: Final = Native("dataclasses.refuse")
 """`__setattr__` of a frozen class."""
 FIELD: Final = External("dataclasses.Field")
@@ -107,6 +108,8 @@ def dataclass(call: NativeCall) -> Value:
         elif text.split("[")[0].rpartition(".")[2] != "ClassVar":
             fields[name] = _field(machine, cls, name, text, written=attrs.get(name, UNBOUND), kw_only=kw_only)
     machine.store_attr(cls, FIELDS, Tuple(tuple(f.pack() for f in fields.values())))
+    table: dict[Value, Value] = {Const(f.name): _told(machine, f) for f in fields.values()}
+    machine.store_attr(cls, "__dataclass_fields__", machine.new_dict(table))
     positional = tuple(Const(f.name) for f in fields.values() if f.init and not f.kw_only)
     if "__match_args__" not in attrs:
         machine.store_attr(cls, "__match_args__", Tuple(positional))
@@ -338,21 +341,22 @@ def _fields(call: NativeCall) -> Value:
     found = fields_of(machine, class_of(machine, call.args[0]) or NONE)
     if found is None:
         return machine.unknown(Cause.CALL, call.name, "tuple")
-    made: list[Value] = []
+    return Tuple(tuple(_told(machine, field) for field in found if field.kind == "field"))
+
+
+def _told(machine: Machine, field: _Field) -> Value:
+    """A field as the program sees it."""
     missing = machine.load_attr(machine.load_module("dataclasses"), "MISSING")
-    for field in found:
-        if field.kind == "field":
-            attrs: dict[str, Value] = {
-                "name": Const(field.name),
-                "init": Const(field.init),
-                "kw_only": Const(field.kw_only),
-            }
-            for said, given in (("default", field.default), ("default_factory", field.factory)):
-                attrs[said] = missing if given is UNBOUND else given
-            attrs["metadata"] = machine.new_dict({}) if field.metadata is UNBOUND else field.metadata
-            attrs["type"] = machine.unknown(Cause.CALL, "dataclasses.Field.type")
-            made.append(machine.allocate(Obj("instance", FIELD, attrs), field.name))
-    return Tuple(tuple(made))
+    attrs: dict[str, Value] = {
+        "name": Const(field.name),
+        "init": Const(field.init),
+        "kw_only": Const(field.kw_only),
+        "default": missing if field.default is UNBOUND else field.default,
+        "default_factory": missing if field.factory is UNBOUND else field.factory,
+        "metadata": machine.new_dict({}) if field.metadata is UNBOUND else field.metadata,
+        "type": machine.unknown(Cause.CALL, "dataclasses.Field.type"),
+    }
+    return machine.allocate(Obj("instance", FIELD, attrs), field.name)
 
 
 def _is_dataclass(call: NativeCall) -> Value:

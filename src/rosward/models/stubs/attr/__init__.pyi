@@ -30,7 +30,9 @@ class Converter:
 
 class Attribute:
     """One field: what `field(…)` leaves in the class body, and what `fields(cls)` tells of it."""
-    def __init__(self, default=NOTHING, validator=None, init=True, metadata=None, converter=None, kw_only=None, alias=None, on_setattr=None):
+    def __init__(self, default=NOTHING, validator=None, init=True, metadata=None, converter=None, kw_only=None, alias=None, on_setattr=None, eq=True, order=True):
+        self.eq = eq
+        self.order = order
         self.default = default
         self.validator = validator
         self.init = init
@@ -66,7 +68,9 @@ def attrib(default=NOTHING, validator=None, repr=True, cmp=None, hash=None, init
            kw_only=None, eq=None, order=None, on_setattr=None, alias=None):
     if factory is not None:
         default = Factory(factory)
-    return _Writing(Attribute(default, validator, init, metadata, converter, kw_only, alias, on_setattr))
+    compared = True if cmp is None and eq is None else bool(cmp if cmp is not None else eq)
+    ordered = compared if order is None else bool(order)
+    return _Writing(Attribute(default, validator, init, metadata, converter, kw_only, alias, on_setattr, compared, ordered))
 def field(*, default=NOTHING, validator=None, repr=True, hash=None, init=True, metadata=None, type=None, converter=None, factory=None, kw_only=None,
           eq=None, order=None, on_setattr=None, alias=None):
     return attrib(default, validator, repr, None, hash, init, metadata, type, converter, factory, kw_only, eq, order, on_setattr, alias)
@@ -154,20 +158,29 @@ def _start(self, *args, **keywords):
 def _equal(self, other):
     if type(self) is not type(other):
         return NotImplemented
-    return astuple(self, recurse=False) == astuple(other, recurse=False)
+    return _compared(self) == _compared(other)
+def _compared(inst):
+    return tuple([getattr(inst, each.name) for each in _fields_of(type(inst)) if each.eq])
+def _ordered(inst):
+    return tuple([getattr(inst, each.name) for each in _fields_of(type(inst)) if each.order])
 def _less(self, other):
-    return astuple(self, recurse=False) < astuple(other, recurse=False)
+    return _ordered(self) < _ordered(other)
 def _more(self, other):
-    return astuple(self, recurse=False) > astuple(other, recurse=False)
+    return _ordered(self) > _ordered(other)
+def _least(self, other):
+    return _ordered(self) <= _ordered(other)
+def _most(self, other):
+    return _ordered(self) >= _ordered(other)
 
 def _refuse(self, name, value):
     raise FrozenInstanceError('cannot assign to field')
 def _assign(self, name, value):
-    """`__setattr__` of `define`: converters and validators run for what is assigned, too."""
+    """`__setattr__`: what runs for what is assigned: of `define`, converters and validators, unless something else is given."""
     for each in _fields_of(type(self)):
         if each.name == name:
-            value = _converted(self, each, value)
-            _checked(self, each, value)
+            hooks = each.on_setattr if each.on_setattr is not None else type(self).__attrs_hooks__
+            for hook in hooks if isinstance(hooks, (list, tuple)) else [hooks]:
+                value = hook(self, each, value)
     object.__setattr__(self, name, value)
 
 def _make(cls, annotated, these, frozen, init, eq, order, kw_only, assigns):
@@ -196,10 +209,14 @@ def _make(cls, annotated, these, frozen, init, eq, order, kw_only, assigns):
     if order:
         cls.__lt__ = _less
         cls.__gt__ = _more
+        cls.__le__ = _least
+        cls.__ge__ = _most
     if frozen:
         cls.__setattr__ = _refuse
-    elif assigns and '__setattr__' not in inside and any(each.converter is not None or each.validator is not None or each._validators for each in fields.values()):
-        cls.__setattr__ = _assign
+    elif '__setattr__' not in inside:
+        if any(each.on_setattr is not None or each.converter is not None or each.validator is not None or each._validators for each in fields.values()):
+            cls.__attrs_hooks__ = assigns
+            cls.__setattr__ = _assign
     return cls
 
 def attrs(maybe_cls=None, these=None, repr_ns=None, repr=None, cmp=None, hash=None, init=None, slots=False, frozen=False, weakref_slot=True, str=False,
@@ -207,12 +224,13 @@ def attrs(maybe_cls=None, these=None, repr_ns=None, repr=None, cmp=None, hash=No
     def decorate(cls):
         start = (None if auto_detect else True) if init is None else init
         compared = cmp if cmp is not None else eq
-        return _make(cls, auto_attribs, these, frozen, start, compared, compared is not False if order is None else order, kw_only, False)
+        return _make(cls, auto_attribs, these, frozen, start, compared, compared is not False if order is None else order, kw_only,
+                     options.get('on_setattr') or ())
     return decorate if maybe_cls is None else decorate(maybe_cls)
 def define(maybe_cls=None, *, these=None, repr=None, unsafe_hash=None, hash=None, init=None, slots=True, frozen=False, weakref_slot=True, str=False,
            auto_attribs=None, kw_only=False, cache_hash=False, auto_exc=True, eq=None, order=False, auto_detect=True, on_setattr=None, **options):
     def decorate(cls):
-        return _make(cls, auto_attribs, these, frozen, init, eq, order, kw_only, on_setattr is None)
+        return _make(cls, auto_attribs, these, frozen, init, eq, order, kw_only, (setters.convert, setters.validate) if on_setattr is None else on_setattr)
     return decorate if maybe_cls is None else decorate(maybe_cls)
 def frozen(maybe_cls=None, **options):
     return define(maybe_cls, frozen=True, **options)
@@ -225,7 +243,7 @@ ib = attr = attrib
 def make_class(name, attrs, bases=(object,), class_body=None, **attributes_arguments):
     these = dict(attrs) if isinstance(attrs, dict) else {each: attrib() for each in attrs}
     made = type(name, bases, dict(class_body or {}))
-    return _make(made, False, these, attributes_arguments.get('frozen', False), True, None, False, attributes_arguments.get('kw_only', False), False)
+    return _make(made, False, these, attributes_arguments.get('frozen', False), True, None, False, attributes_arguments.get('kw_only', False), ())
 
 class _Table(tuple):
     def __getattr__(self, name):

@@ -207,12 +207,8 @@ def _as(cls, value, config):
     if issubclass(cls, BaseModel):
         return cls.model_validate(value)
     if issubclass(cls, enum.Enum):
-        if isinstance(value, cls):
-            return value
-        try:
-            return cls(value)
-        except ValueError:
-            raise ValidationError('no member')
+        found = value if isinstance(value, cls) else _member(cls, value)
+        return found.value if config.get('use_enum_values') else found
     if issubclass(cls, pathlib.PurePath):
         return cls(value)
     if isinstance(value, cls):
@@ -220,6 +216,12 @@ def _as(cls, value, config):
     if isinstance(value, dict) and hasattr(cls, '__dataclass_fields__'):
         return cls(**value)
     return either(value, unknown('call', 'what pydantic makes of a value'))
+
+def _member(cls, value):
+    try:
+        return cls(value)
+    except ValueError:
+        raise ValidationError('no member')
 
 def _as_bool(value):
     if isinstance(value, bool):
