@@ -191,6 +191,7 @@ class Summaries:
         "uncaught",
         "used",
         "vain",
+        "waiting",
     )
 
     def __init__(self) -> None:
@@ -206,6 +207,7 @@ class Summaries:
         self.provisional = 0  # how often an unfinished summary of a recursion was read
         self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
         self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
+        self.waiting: set[str] = set()  # those in which callbacks ran
         self.loops: dict[OpKey, tuple[tuple[int, ...], tuple[int, ...]] | None] = {}  # which registers loops use
         self.sure: dict[
             str, int
