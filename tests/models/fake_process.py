@@ -46,6 +46,10 @@ class NoFiles:
         del package, relative
         return None
 
+    def modules(self, relative: str) -> tuple[str, ...]:
+        del relative
+        return ()
+
 
 class FakeProcess:
     """A process at its beginning; keeps objects in a dict."""

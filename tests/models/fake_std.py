@@ -92,6 +92,8 @@ class FakeMachine(FakeProcess):
         return self.unknown(Cause.CALL, repr(function))
 
     def load_attr(self, value: Value, name: str) -> Value:
+        if isinstance(value, Native):  # a module
+            return Native(f"{value.name}.{name}")
         assert isinstance(value, Ref)
         obj = self.heap[value.address]
         if name in obj.attrs:
