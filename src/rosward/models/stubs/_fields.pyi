@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What libraries of classes that are made of their fields need (pydantic, attrs): models/python/std/shapes.py."""
-from _rosward import native, unknown
+from _rosward import native
 
 @native
 def shapes(cls): ...

@@ -105,7 +105,7 @@ def _value(machine: Machine, module: ModuleValue, tree: ast.expr) -> Value:
     else:
         return Const(found) if isinstance(found, (str, int, float, bool, bytes)) or found is None else _OTHER
     if isinstance(tree, (ast.Name, ast.Attribute)):
-        return _name(machine, module, tree)
+        return named(machine, module, tree)[0]
     if (
         isinstance(tree, ast.Call)
         and all(k.arg for k in tree.keywords)
@@ -113,13 +113,8 @@ def _value(machine: Machine, module: ModuleValue, tree: ast.expr) -> Value:
     ):
         arguments = tuple(_value(machine, module, a) for a in tree.args)
         keywords = {str(k.arg): _value(machine, module, k.value) for k in tree.keywords}
-        return machine.call(_name(machine, module, tree.func), arguments, keywords)
+        return machine.call(named(machine, module, tree.func)[0], arguments, keywords)
     return named(machine, module, ast.Constant(Ellipsis))[0]
-
-
-def _name(machine: Machine, module: ModuleValue, tree: ast.expr) -> Value:
-    found = named(machine, module, tree)
-    return found[0]
 
 
 def _shapes(call: NativeCall) -> Value:
