@@ -163,9 +163,9 @@ def _c_cast(body: Body, node: Node, want: Want) -> int:
         return body.unknown(node, "syntax")
     if word(type_) == "void":
         return body.expression(value, "effect")
-    return body.given(
-        node, converted(body, node, value, type_of(body, type_, keep=True), _by_value(type_, "static")), want
-    )
+    kind = _by_value(type_, "static")
+    found = converted(body, node, value, type_of(body, type_, keep=True), kind)
+    return found if kind == "static" and want == "value" else body.given(node, found, want)
 
 
 def _typeid(body: Body, node: Node, listed: Node | None, _want: Want) -> int:
