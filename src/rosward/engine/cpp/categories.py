@@ -12,7 +12,7 @@ from rosward.domain.slots import Overloads, Slot
 from rosward.domain.values import Function, Ref, Value
 from rosward.engine.frame import Frame
 from rosward.ir.core import Binary, Compare
-from rosward.ir.cpp import Argued
+from rosward.ir.cpp import Argued, Assign
 from rosward.ir.program import TypePattern
 from rosward.ir.symbols import Signature
 from rosward.models.cpp.slots import read
@@ -61,6 +61,8 @@ def cast_to(machine: Engine, args: tuple[Value, ...]) -> tuple[Value | None, ...
         return ()
     if isinstance(frame.op, (Binary, Compare)):
         registers = (frame.op.left, frame.op.right)
+    elif isinstance(frame.op, Assign):
+        registers = (frame.op.slot, frame.op.src)
     else:
         written = _written(frame, args)
         registers = () if written is None else tuple(argued.register for argued in written)

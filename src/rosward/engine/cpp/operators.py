@@ -17,6 +17,7 @@ from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.cpp import as_type, calls, construct, endings, members, names
+from rosward.engine.cpp.categories import cast_to
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
 from rosward.engine.cpp.linked import linked, record
@@ -43,7 +44,12 @@ def _own(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
     first = read(machine, args[0])
     if not any(_is_object(machine, a) for a in args):
         return _of_enumeration(machine, operator, args)
-    found = members.member(machine, first, f"operator{operator}") if _is_object(machine, first) else None
+    seen = next(iter(cast_to(machine, tuple(args))), None)
+    info = linked(machine).info(seen) if seen is not None else None
+    if info is not None and operator == "=" and names.in_class(machine, info, "operator=") is None:
+        return None  # the part of it is copied that is of that class
+    is_object = _is_object(machine, first)
+    found = members.member(machine, first, f"operator{operator}", (), info) if is_object else None
     own = found if isinstance(found, Overloads) else None
     if own is not None and (len(own.functions) > 1 or len(args) > 1) and not fitting(machine, own.functions, args[1:]):
         free = _free(machine, operator, args)
