@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final, Literal
 
 from rosward.domain.slots import Overloads, Slot
 from rosward.domain.values import Function, Ref, Value
+from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.frame import Frame
 from rosward.ir.core import Binary, Compare
 from rosward.ir.cpp import Argued, Assign
@@ -20,7 +21,7 @@ from rosward.models.cpp.slots import read
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["by_category", "cast_to", "numbers_written", "of_constness", "same_parameters"]
+__all__ = ["by_category", "cast_to", "class_cast_to", "numbers_written", "of_constness", "same_parameters"]
 
 Category = Literal["lvalue", "constant", "rvalue"]
 _NEVER: Final = 0
@@ -72,6 +73,21 @@ def cast_to(machine: Engine, args: tuple[Value, ...]) -> tuple[Value | None, ...
         return ()
     found = tuple(frame.cast.get(register) for register in registers)
     return found if any(each is not None for each in found) else ()
+
+
+def class_cast_to(machine: Engine, value: Value) -> Info | None:
+    """The class that a cast says an object has of which the operation that runs takes an element, or that it calls or converts."""
+    frame = machine.frames[-1] if machine.frames else None
+    if frame is None or not frame.cast:
+        return None
+    op = frame.op
+    own = (getattr(op, "obj", None), getattr(op, "func", None), getattr(op, "src", None))
+    given = (each.register for each in getattr(op, "arguments", ()) if isinstance(each, Argued))
+    for register in (*own, *given):
+        cast = frame.cast.get(register) if register is not None else None
+        if cast is not None and read(machine, frame.registers[register]) is value:
+            return linked(machine).info(cast)
+    return None
 
 
 def _categories(machine: Engine, args: tuple[Value, ...]) -> list[Category] | None:

@@ -167,7 +167,7 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
             write(machine, slot, _as_declared(machine, slot, value) if _is_whole(value) else value)
         return slot
     if isinstance(slot, Ref):
-        return _object(machine, slot, src)
+        return slot if _part(machine, slot, src) else _object(machine, slot, src)
     value = decayed(machine, src)
     if value.__class__ is not Unknown:
         value = copied(machine, value)
@@ -225,6 +225,24 @@ def _says_itself(machine: Engine, slot: Value, src: Value) -> bool:
     if info is None or info.cls is None or not linked(machine).symbols.at(info.scope, "operator="):
         return False
     return ASSIGN in record(machine, info.cls.address).attrs or not construct.is_one(machine, src, info.cls)
+
+
+def _part(machine: Engine, ref: Ref, src: Value) -> bool:
+    """`static_cast<Base &>(*this) = other`: the fields of that base alone are assigned, where its class does not say how itself."""
+    cast = next(iter(cast_to(machine, (ref, src))), None)
+    info = linked(machine).info(cast) if cast is not None else None
+    whole, value = machine.obj(ref).cls, read(machine, src)
+    if info is None or info.cls is None or info.cls == whole or not isinstance(value, Ref):
+        return False
+    others = machine.obj(value).cls
+    if not all(isinstance(cls, Class) and info.cls in cls.mro for cls in (whole, others)):
+        return False
+    for each in info.cls.mro:
+        own = linked(machine).info(each)
+        for field in own.fields if own is not None else ():
+            key = own.keys[field.name] if own is not None else field.name
+            write(machine, Slot(ref, "field", key), copied(machine, read(machine, Slot(value, "field", key))))
+    return True
 
 
 def _object(machine: Engine, ref: Ref, src: Value) -> Value:

@@ -69,11 +69,11 @@ def choose(
     return best if any(isinstance(o, Unknown) for v in values for o in options(v)) else _versions(machine, best)
 
 
-def fitting(machine: Engine, functions: Sequence[Function], args: Sequence[Value]) -> list[Function]:
+def fitting(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]) -> list[Function]:
     """Those that may be called with arguments of which something is known."""
     values = [read(machine, a) for a in args]
     by_number = [f for f in functions if _takes(f.code.signature, len(args), 0)]
-    return [f for f in by_number if _score(machine, f, values, ()) is not None]
+    return [f for f in by_number if _score(machine, f, values, (), cast=cast_to(machine, args)) is not None]
 
 
 def _versions(machine: Engine, best: list[Function]) -> list[Function]:
@@ -181,7 +181,7 @@ def _number(name: str, number: str, points: int) -> int:
     """How well a number whose type is written fits a type, which other types of numbers fit so well."""
     type_ = same_type(name.removeprefix("std."))
     if not _is_number(name):
-        return points
+        return _NEVER if name in TEXTS else points
     if type_ == number:
         return _EXACT
     return _NEAR if type_ == ("int" if number in SMALL else "double" if number == "float" else "") else _TEMPLATE
