@@ -47,11 +47,11 @@ def unaware(files: Sequence[FileSymbols]) -> dict[str, frozenset[Scope]]:
     leading = {name for file in own for name, text in _classes(file) if _LEADING.search(text)}
     words = {f: found for f in own if (found := _words(f)) is not None and not _keeps_something(f, leading)}
     classes = {name for file in words for name, _ in _classes(file)}
-    opened = _opened(own)
+    opened, renamed = _opened(own), _renamed(own)
     by_arguments: dict[FileSymbols, set[Scope]] = {file: set() for file in words}
     left, aware = list(words), [file for file in own if file not in words]
     while aware and left:  # what these declare the others may call
-        names = _reached(aware, opened)
+        names = _reached(aware, opened, renamed)
         for name in set().union(*(classes.intersection(_operands(file)) for file in aware)):
             names.setdefault(name, {})[()] = False
         paths = {file.parsed.prepared.path for file in aware}
@@ -70,7 +70,9 @@ def _sees(words: set[str], scope: Scope) -> bool:
     return not scope or scope[0] in words
 
 
-def _reached(aware: Sequence[FileSymbols], opened: set[Scope]) -> dict[str, dict[Scope, bool]]:
+def _reached(
+    aware: Sequence[FileSymbols], opened: set[Scope], renamed: dict[str, set[Scope]]
+) -> dict[str, dict[Scope, bool]]:
     """The names that files declare, by the namespaces in which they are found: whether of functions."""
     found: dict[str, dict[Scope, bool]] = {}
     for file in aware:
@@ -80,10 +82,19 @@ def _reached(aware: Sequence[FileSymbols], opened: set[Scope]) -> dict[str, dict
             scopes[within] = scopes.get(within, False) or is_function
             if within in opened:
                 scopes.setdefault((), False)
-    for file in aware:  # `using lamp::light;` makes it a name of another namespace
+    for name, scopes in found.items():
+        for scope in renamed.get(name, ()):
+            scopes.setdefault(scope, False)
+    return found
+
+
+def _renamed(files: Sequence[FileSymbols]) -> dict[str, set[Scope]]:
+    """By name, the namespaces in which it is known, too: `using lamp::light;`."""
+    found: dict[str, set[Scope]] = {}
+    for file in files:
         for each in file.outline.declared:
-            if each.kind in _RENAMING and each.name in found:
-                found[each.name].setdefault(tuple(filter(None, each.scope)), False)
+            if each.kind in _RENAMING:
+                found.setdefault(each.name, set()).add(tuple(filter(None, each.scope)))
     return found
 
 
