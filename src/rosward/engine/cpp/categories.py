@@ -60,6 +60,7 @@ def cast_to(machine: Engine, args: tuple[Value, ...]) -> tuple[Value | None, ...
     frame = machine.frames[-1] if machine.frames else None
     if frame is None or not frame.cast:
         return ()
+    registers: tuple[int, ...]
     if isinstance(frame.op, (Binary, Compare)):
         registers = (frame.op.left, frame.op.right)
     elif isinstance(frame.op, Assign):
@@ -81,10 +82,10 @@ def class_cast_to(machine: Engine, value: Value) -> Info | None:
     if frame is None or not frame.cast:
         return None
     op = frame.op
-    own = (getattr(op, "obj", None), getattr(op, "func", None), getattr(op, "src", None))
-    given = (each.register for each in getattr(op, "arguments", ()) if isinstance(each, Argued))
+    own: list[int] = [getattr(op, name) for name in ("obj", "func", "src") if hasattr(op, name)]
+    given = [each.register for each in getattr(op, "arguments", ()) if isinstance(each, Argued)]
     for register in (*own, *given):
-        cast = frame.cast.get(register) if register is not None else None
+        cast = frame.cast.get(register)
         if cast is not None and read(machine, frame.registers[register]) is value:
             return linked(machine).info(cast)
     return None

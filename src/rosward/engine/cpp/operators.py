@@ -39,12 +39,12 @@ if TYPE_CHECKING:
 __all__ = ["assign", "binary", "compare", "folded", "step", "truth", "unary"]
 
 
-def _own(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
+def _own(machine: Engine, operator: str, args: tuple[Value, ...]) -> Value | None:
     """What an operator that a class defines gives; None where none does."""
     first = read(machine, args[0])
     if not any(_is_object(machine, a) for a in args):
         return _of_enumeration(machine, operator, args)
-    seen = next(iter(cast_to(machine, tuple(args))), None)
+    seen = next(iter(cast_to(machine, args)), None)
     info = linked(machine).info(seen) if seen is not None else None
     if info is not None and operator == "=" and names.in_class(machine, info, "operator=") is None:
         return None  # the part of it is copied that is of that class
@@ -54,14 +54,14 @@ def _own(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
     if own is not None and (len(own.functions) > 1 or len(args) > 1) and not fitting(machine, own.functions, args[1:]):
         free = _free(machine, operator, args)
         if free is not None and fitting(machine, free.functions, args):
-            return calls.invoke(machine, free, tuple(args))
+            return calls.invoke(machine, free, args)
     if own is not None:
-        return calls.invoke(machine, own, tuple(args[1:]))
+        return calls.invoke(machine, own, args[1:])
     free = _free(machine, operator, args)
-    return None if free is None else calls.invoke(machine, free, tuple(args))
+    return None if free is None else calls.invoke(machine, free, args)
 
 
-def _free(machine: Engine, operator: str, args: Sequence[Value]) -> Overloads | None:
+def _free(machine: Engine, operator: str, args: tuple[Value, ...]) -> Overloads | None:
     """The operators of the namespaces of the operands: the first that has some that take them, else the first that has any."""
     several: list[Overloads] = []
     for arg in args:
@@ -79,7 +79,7 @@ def _free(machine: Engine, operator: str, args: Sequence[Value]) -> Overloads | 
     return several[0] if several else None
 
 
-def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
+def _of_enumeration(machine: Engine, operator: str, args: tuple[Value, ...]) -> Value | None:
     """`os << side`: an operator that stands where the enumeration does, and is for that."""
     for arg in args:
         enumeration = enumeration_of(read(machine, arg))
@@ -93,7 +93,7 @@ def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Va
         wanted = External(enumeration)
         fitting = tuple(f for f in several.functions if _takes(machine, f, wanted))
         if fitting:
-            return calls.invoke(machine, several.only(fitting), tuple(args))
+            return calls.invoke(machine, several.only(fitting), args)
     return None
 
 

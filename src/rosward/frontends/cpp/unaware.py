@@ -57,10 +57,10 @@ def unaware(files: Sequence[FileSymbols]) -> dict[str, frozenset[Scope]]:
         paths = {file.parsed.prepared.path for file in aware}
         aware = []
         for file in left:
-            found = [(s, f) for n in words[file].intersection(names) for s, f in names[n].items()]
-            if not paths.isdisjoint(file.parsed.prepared.includes) or any(_sees(words[file], s) for s, _ in found):
+            said = [(s, f) for n in words[file].intersection(names) for s, f in names[n].items()]
+            if not paths.isdisjoint(file.parsed.prepared.includes) or any(_sees(words[file], s) for s, _ in said):
                 aware.append(file)
-            by_arguments[file].update(scope for scope, is_function in found if is_function)
+            by_arguments[file].update(scope for scope, is_function in said if is_function)
         left = [file for file in left if file not in set(aware)]
     return _with_included(left, by_arguments)
 
