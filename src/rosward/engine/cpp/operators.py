@@ -234,6 +234,8 @@ def _part(machine: Engine, ref: Ref, src: Value) -> bool:
     whole, value = machine.obj(ref).cls, read(machine, src)
     if info is None or info.cls is None or info.cls == whole or not isinstance(value, Ref):
         return False
+    if names.in_class(machine, info, "operator=") is not None:
+        return False
     others = machine.obj(value).cls
     if not all(isinstance(cls, Class) and info.cls in cls.mro for cls in (whole, others)):
         return False

@@ -29,11 +29,12 @@ _BEFORE: Final = re.compile(
 )
 _CALL: Final = re.compile(r"^[ \t]*([A-Z][A-Z0-9_]{3,})[ \t]*\(", re.MULTILINE)
 _THREADS: Final = re.compile(
-    r"(?<=[\w)}\]])\s+(?:[A-Z][A-Z0-9]*_)*(?:GUARDED_BY|GUARDED_VAR|ACQUIRED_BEFORE|ACQUIRED_AFTER|REQUIRES|REQUIRES_SHARED|ACQUIRE|ACQUIRE_SHARED"
-    r"|RELEASE|RELEASE_SHARED|RELEASE_GENERIC|TRY_ACQUIRE|TRY_ACQUIRE_SHARED|EXCLUDES|ASSERT_CAPABILITY|RETURN_CAPABILITY"
-    r"|EXCLUSIVE_LOCKS_REQUIRED|SHARED_LOCKS_REQUIRED|LOCKS_EXCLUDED|LOCK_RETURNED|EXCLUSIVE_LOCK_FUNCTION|UNLOCK_FUNCTION)\s*\("
+    r"(?:(?<=[\w\]}])\s+(?:[A-Z][A-Z0-9]*_)*(?:GUARDED_BY|ACQUIRED_BEFORE|ACQUIRED_AFTER)"
+    r"|(?:(?<=\))|(?<=const)|(?<=noexcept)|(?<=override)|(?<=final))\s+(?:[A-Z][A-Z0-9]*_)*"
+    r"(?:REQUIRES|REQUIRES_SHARED|EXCLUDES|ASSERT_CAPABILITY|RETURN_CAPABILITY|LOCKS_REQUIRED|LOCKS_EXCLUDED|LOCK_RETURNED))\s*\("
 )
 """What says to the compiler which mutex protects something; nothing runs because of it."""
+_MARKS: Final = ("GUARDED_BY", "ACQUIRED_", "REQUIRE", "EXCLUDE", "CAPABILITY", "LOCK_RETURNED")
 _CALL_LIMIT: Final = 20_000  # characters
 _UNCLOSED: Final = 100
 _GOES_ON: Final = re.compile(r"\s*[;{.\-+*/?:&|,)=<>\[\]]")
@@ -81,7 +82,7 @@ def _without_attributes(text: str) -> str:
     """The text without what stands between a declaration and its end to say which mutex protects it."""
     pieces: list[str] = []
     position = 0
-    for found in _THREADS.finditer(text) if "_BY" in text or "REQUIRE" in text or "EXCLUDE" in text else ():
+    for found in _THREADS.finditer(text) if any(mark in text for mark in _MARKS) else ():
         end = behind_bracket(text, found.end(), _CALL_LIMIT) if found.start() >= position else -1
         if end >= 0 and _DECLARED.match(text, end):
             pieces += [text[position : found.start()], blank(text[found.start() : end])]
