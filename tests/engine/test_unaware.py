@@ -64,11 +64,21 @@ inline const std::string & same(const std::string & name) { return name; }
 inline void put(std::map<std::string, std::string> & table, const std::string & key) { table[key] = key + "v"; }
 inline void swap(std::string & a, std::string & b) { std::string c = a; a = b; b = c; }
 inline std::string count(int n) { return n > 0 ? count(n - 1) + "x" : PREFIX; }
+template<typename T> std::string written(const T & value) { std::string to = "w"; to_text(to, value); return to; }
+template<typename T> std::string written_all(const std::vector<T> & values) { return written(values.at(0)); }
+}
+"""
+_SHAPES: Final = """
+#pragma once
+namespace shapes {
+struct Square { int side = 1; };
+enum class Colour { RED, BLUE };
 }
 """
 _MAIN: Final = """
 #include "rclcpp/rclcpp.hpp"
 #include "std_msgs/msg/string.hpp"
+#include "shapes.hpp"
 #include "tools.hpp"
 rclcpp::Node::SharedPtr node;
 std::vector<rclcpp::PublisherBase::SharedPtr> kept;
@@ -79,6 +89,10 @@ struct Maker {
   static std::string label() { make("label"); return "l"; }
 };
 struct Derived : tools::Base { std::string name() const override { make("derived"); return "d"; } };
+namespace shapes {
+void to_text(std::string & to, const Square & square) { make("square"); to = "s" + std::to_string(square.side); }
+void to_text(std::string &, Colour) { make("colour"); }
+}
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
@@ -122,6 +136,9 @@ _ROWS: Final = {
     'auto b = std::make_shared<tools::Box>(); auto c = b; c->set("two"); make(b->get());': ["two"],
     'std::vector<tools::Box> b(2); b[1].set("second"); make(b[1].get()); make(b[0].get());': ["second", "box"],
     'std::vector<std::string> v{"a"}; tools::assign(v[0], "e"); make(v[0]);': ["e"],
+    "shapes::Square s; make(tools::written(s));": ["square", "s1"],
+    "make(tools::written_all(std::vector<shapes::Square>(1)));": ["square", "s1"],
+    "make(tools::written(shapes::Colour::BLUE));": ["colour", "w"],
     'static tools::Box b; b.set("kept"); make(b.get());': ["kept"],
 }  # fmt: skip
 
@@ -144,6 +161,7 @@ class _AllLarge(linked.Unaware):
 def test_nothing_is_lost(row: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each name is there, or a pattern that has it."""
     (tmp_path / "tools.hpp").write_text(_TOOLS, encoding="utf-8")
+    (tmp_path / "shapes.hpp").write_text(_SHAPES, encoding="utf-8")
     (tmp_path / "main.cpp").write_text(_MAIN.replace("ROW", row), encoding="utf-8")
     followed = json.loads(network_json(rosward.extract(tmp_path, budget=Budget(unaware=10**9)).network))
     monkeypatch.setattr(linked, "Unaware", _AllLarge)

@@ -91,6 +91,7 @@ class Frame:
     """
 
     __slots__ = (
+        "cast",
         "cells",
         "code",
         "context",
@@ -128,6 +129,7 @@ class Frame:
         self.yielded: Yielded | None = None
         self.seen: Activation | None = None  # what is noted of it, where somebody watches
         self.turns: dict[int, tuple[Any, ...]] = {}
+        self.cast: dict[int, Value] = {}  # by register, the class of which a cast says that an object is
 
     def next(self) -> int:
         """Which call or object of the current operation this is. They are finitely many: where there are too many, the last stands for all."""

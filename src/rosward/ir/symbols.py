@@ -197,8 +197,8 @@ class Symbols(Protocol):
         """Whether anything is declared in a namespace of that name."""
 
     @property
-    def unaware(self) -> frozenset[str]:
-        """The files that know nothing of ROS, and keep nothing between two calls."""
+    def unaware(self) -> Mapping[str, frozenset[Scope]]:
+        """The files that know nothing of ROS, and keep nothing between two calls, unless they are handed something of these namespaces."""
 
     @property
     def digest(self) -> str:

@@ -95,3 +95,32 @@ def test_what_includes_it_counts() -> None:
     assert _is_unaware(
         '#include "inner.hpp"\ninline int go() { return inner(); }', inner="inline int inner() { return 2; }"
     )
+
+
+def test_what_only_arguments_lead_to_counts_where_these_are_handed() -> None:
+    json = "namespace json { template<typename T> void put(T value) { to_json(value); } }"
+    user = '#include "ros.hpp"\nnamespace robot { struct Mission {}; void to_json(Mission) { announce(1); } }'
+    assert _unaware_of(json, user) == frozenset({("robot",)})
+    assert _unaware_of(json + "\nnamespace robot { struct Part {}; }", user) is None
+    assert _unaware_of("using robot::to_json;\n" + json, user) is None
+    assert _unaware_of(json, user + "\nvoid to_json(int) {}") is None
+    assert _unaware_of(json, user + "\nnamespace json { void to_json(int) {} }") is None
+    assert _unaware_of(json, user.replace("namespace", "inline namespace", 1)) is None
+    assert _unaware_of(json, user, "using namespace robot;") is None
+    assert _unaware_of(json, user, "using namespace std::chrono_literals;") == frozenset({("robot",)})
+    assert _unaware_of(json, user, "using robot::to_json;") is None
+    assert _unaware_of('#include "inner.hpp"\ninline int go() { return 1; }', user, inner=json) == frozenset(
+        {("robot",)}
+    )
+
+
+def _unaware_of(tools: str, extra: str, shown: str = "", inner: str = "") -> frozenset[tuple[str, ...]] | None:
+    """The namespaces of which nothing may be handed to tools.hpp; None where it may know something of ROS."""
+    files = {
+        "main.cpp": _MAIN,
+        "ros.hpp": _ROS + shown,
+        "tools.hpp": tools,
+        "inner.hpp": inner,
+        "extra.cpp": '#include "tools.hpp"\n' + extra,
+    }
+    return program(files, "main.cpp", "extra.cpp").unaware.get("tools.hpp")

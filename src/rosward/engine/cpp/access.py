@@ -12,7 +12,7 @@ from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.engine.cpp import calls, members
-from rosward.engine.cpp.categories import of_constness
+from rosward.engine.cpp.categories import class_cast_to, of_constness
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import pointee
@@ -105,7 +105,7 @@ def item(machine: Engine, owner: Value, index: Value, *, constant: bool = False)
         if isinstance(option, Pointer):
             found.append(_beyond(machine, option, index))
         elif isinstance(option, Ref) and isinstance(machine.obj(option).cls, Class):
-            operator = members.member(machine, option, "operator[]")
+            operator = members.member(machine, option, "operator[]", (), class_cast_to(machine, option))
             if isinstance(operator, Overloads):
                 operator = of_constness(operator, constant=constant)
             found.append(calls.invoke(machine, operator, (index,)))

@@ -22,6 +22,7 @@ from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY
 from rosward.engine.cpp import construct, members, names, unaware, visitors
 from rosward.engine.cpp.binding import bind
+from rosward.engine.cpp.categories import class_cast_to
 from rosward.engine.cpp.classes import specialised
 from rosward.engine.cpp.handing import decayed, hand_over, is_member
 from rosward.engine.cpp.linked import linked
@@ -98,7 +99,7 @@ def invoke(
     if isinstance(function, Pointer):
         return invoke(machine, read(machine, function.target), args, types, keywords)
     if isinstance(function, Ref):
-        operator = members.member(machine, function, "operator()")
+        operator = members.member(machine, function, "operator()", (), class_cast_to(machine, function))
         if isinstance(operator, Overloads):
             return invoke(machine, operator, args, types, keywords)
     return unknown_call(machine, function, args, types)

@@ -10,15 +10,18 @@ from typing import TYPE_CHECKING, Final, Literal
 
 from rosward.domain.slots import Overloads, Slot
 from rosward.domain.values import Function, Ref, Value
+from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.frame import Frame
-from rosward.ir.cpp import Argued
+from rosward.ir.core import Binary, Compare
+from rosward.ir.cpp import Argued, Assign
 from rosward.ir.program import TypePattern
 from rosward.ir.symbols import Signature
+from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["by_category", "numbers_written", "of_constness", "same_parameters"]
+__all__ = ["by_category", "cast_to", "class_cast_to", "numbers_written", "of_constness", "same_parameters"]
 
 Category = Literal["lvalue", "constant", "rvalue"]
 _NEVER: Final = 0
@@ -47,6 +50,45 @@ def numbers_written(machine: Engine, args: tuple[Value, ...]) -> tuple[str, ...]
     frame = machine.frames[-1] if machine.frames else None
     written = _written(frame, args) if frame is not None else None
     return tuple(argued.number for argued in written) if written and any(argued.number for argued in written) else ()
+
+
+def cast_to(machine: Engine, args: tuple[Value, ...]) -> tuple[Value | None, ...]:
+    """The types that casts say the arguments, or operands, have of the call that runs; none where there are none.
+
+    `show(static_cast<const Base &>(lamp))` means the `show` of a Base, whatever the lamp is.
+    """
+    frame = machine.frames[-1] if machine.frames else None
+    if frame is None or not frame.cast:
+        return ()
+    registers: tuple[int, ...]
+    if isinstance(frame.op, (Binary, Compare)):
+        registers = (frame.op.left, frame.op.right)
+    elif isinstance(frame.op, Assign):
+        registers = (frame.op.slot, frame.op.src)
+    else:
+        written = _written(frame, args)
+        registers = () if written is None else tuple(argued.register for argued in written)
+    if len(registers) != len(args) or any(
+        read(machine, frame.registers[r]) is not read(machine, a) for r, a in zip(registers, args, strict=True)
+    ):
+        return ()
+    found = tuple(frame.cast.get(register) for register in registers)
+    return found if any(each is not None for each in found) else ()
+
+
+def class_cast_to(machine: Engine, value: Value) -> Info | None:
+    """The class that a cast says an object has of which the operation that runs takes an element, or that it calls or converts."""
+    frame = machine.frames[-1] if machine.frames else None
+    if frame is None or not frame.cast:
+        return None
+    op = frame.op
+    own: list[int] = [getattr(op, name) for name in ("obj", "func", "src") if hasattr(op, name)]
+    given = [each.register for each in getattr(op, "arguments", ()) if isinstance(each, Argued)]
+    for register in (*own, *given):
+        cast = frame.cast.get(register)
+        if cast is not None and read(machine, frame.registers[register]) is value:
+            return linked(machine).info(cast)
+    return None
 
 
 def _categories(machine: Engine, args: tuple[Value, ...]) -> list[Category] | None:

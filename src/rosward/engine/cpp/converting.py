@@ -16,6 +16,7 @@ from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.engine.cpp import names
+from rosward.engine.cpp.categories import class_cast_to
 from rosward.engine.cpp.enumerations import of_enumeration
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.types import dotted
@@ -54,7 +55,9 @@ def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
     if info is None or info.cls is None:
         return value
     wanted = dotted(type_).rpartition(".")[2]
-    for cls in info.cls.mro:
+    cast = class_cast_to(machine, value)
+    seen = cast.cls if cast is not None and cast.cls is not None and cast.cls in info.cls.mro else info.cls
+    for cls in seen.mro:
         own = linked(machine).info(cls)
         for symbol in own.symbol.members if own is not None else ():
             if own is None or not symbol.name.startswith("operator "):

@@ -29,7 +29,7 @@ def name(machine: Engine, op: cpp.Name, frame: Frame) -> Value:
     """What a name is where the code stands; of a variable its slot where that is asked for."""
     plain = op.base == ops.NO_REGISTER and all(p.arguments is None for p in op.parts)
     found, types = _remembered(machine, op, frame) if plain else _resolved(machine, op, frame)
-    qualified = len(op.parts) > 1 or op.base != ops.NO_REGISTER
+    qualified = len(op.parts) > 1 or op.absolute or op.base != ops.NO_REGISTER
     if op.designator and isinstance(found, Found) and members.is_field(found):
         value: Value = members.designator(found.symbols[0].name)
     elif isinstance(found, Found):

@@ -17,6 +17,7 @@ from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.cpp import as_type, calls, construct, endings, members, names
+from rosward.engine.cpp.categories import cast_to
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
 from rosward.engine.cpp.linked import linked, record
@@ -38,24 +39,29 @@ if TYPE_CHECKING:
 __all__ = ["assign", "binary", "compare", "folded", "step", "truth", "unary"]
 
 
-def _own(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
+def _own(machine: Engine, operator: str, args: tuple[Value, ...]) -> Value | None:
     """What an operator that a class defines gives; None where none does."""
     first = read(machine, args[0])
     if not any(_is_object(machine, a) for a in args):
         return _of_enumeration(machine, operator, args)
-    found = members.member(machine, first, f"operator{operator}") if _is_object(machine, first) else None
+    seen = next(iter(cast_to(machine, args)), None)
+    info = linked(machine).info(seen) if seen is not None else None
+    if info is not None and operator == "=" and names.in_class(machine, info, "operator=") is None:
+        return None  # the part of it is copied that is of that class
+    is_object = _is_object(machine, first)
+    found = members.member(machine, first, f"operator{operator}", (), info) if is_object else None
     own = found if isinstance(found, Overloads) else None
     if own is not None and (len(own.functions) > 1 or len(args) > 1) and not fitting(machine, own.functions, args[1:]):
         free = _free(machine, operator, args)
         if free is not None and fitting(machine, free.functions, args):
-            return calls.invoke(machine, free, tuple(args))
+            return calls.invoke(machine, free, args)
     if own is not None:
-        return calls.invoke(machine, own, tuple(args[1:]))
+        return calls.invoke(machine, own, args[1:])
     free = _free(machine, operator, args)
-    return None if free is None else calls.invoke(machine, free, tuple(args))
+    return None if free is None else calls.invoke(machine, free, args)
 
 
-def _free(machine: Engine, operator: str, args: Sequence[Value]) -> Overloads | None:
+def _free(machine: Engine, operator: str, args: tuple[Value, ...]) -> Overloads | None:
     """The operators of the namespaces of the operands: the first that has some that take them, else the first that has any."""
     several: list[Overloads] = []
     for arg in args:
@@ -73,7 +79,7 @@ def _free(machine: Engine, operator: str, args: Sequence[Value]) -> Overloads | 
     return several[0] if several else None
 
 
-def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
+def _of_enumeration(machine: Engine, operator: str, args: tuple[Value, ...]) -> Value | None:
     """`os << side`: an operator that stands where the enumeration does, and is for that."""
     for arg in args:
         enumeration = enumeration_of(read(machine, arg))
@@ -87,7 +93,7 @@ def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Va
         wanted = External(enumeration)
         fitting = tuple(f for f in several.functions if _takes(machine, f, wanted))
         if fitting:
-            return calls.invoke(machine, several.only(fitting), tuple(args))
+            return calls.invoke(machine, several.only(fitting), args)
     return None
 
 
@@ -161,7 +167,7 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
             write(machine, slot, _as_declared(machine, slot, value) if _is_whole(value) else value)
         return slot
     if isinstance(slot, Ref):
-        return _object(machine, slot, src)
+        return slot if _part(machine, slot, src) else _object(machine, slot, src)
     value = decayed(machine, src)
     if value.__class__ is not Unknown:
         value = copied(machine, value)
@@ -219,6 +225,26 @@ def _says_itself(machine: Engine, slot: Value, src: Value) -> bool:
     if info is None or info.cls is None or not linked(machine).symbols.at(info.scope, "operator="):
         return False
     return ASSIGN in record(machine, info.cls.address).attrs or not construct.is_one(machine, src, info.cls)
+
+
+def _part(machine: Engine, ref: Ref, src: Value) -> bool:
+    """`static_cast<Base &>(*this) = other`: the fields of that base alone are assigned, where its class does not say how itself."""
+    cast = next(iter(cast_to(machine, (ref, src))), None)
+    info = linked(machine).info(cast) if cast is not None else None
+    whole, value = machine.obj(ref).cls, read(machine, src)
+    if info is None or info.cls is None or info.cls == whole or not isinstance(value, Ref):
+        return False
+    if names.in_class(machine, info, "operator=") is not None:
+        return False
+    others = machine.obj(value).cls
+    if not all(isinstance(cls, Class) and info.cls in cls.mro for cls in (whole, others)):
+        return False
+    for each in info.cls.mro:
+        own = linked(machine).info(each)
+        for field in own.fields if own is not None else ():
+            key = own.keys[field.name] if own is not None else field.name
+            write(machine, Slot(ref, "field", key), copied(machine, read(machine, Slot(value, "field", key))))
+    return True
 
 
 def _object(machine: Engine, ref: Ref, src: Value) -> Value:

@@ -15,7 +15,7 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.slots import Overloads, Pointer, TypeOf, is_char_text
 from rosward.domain.values import Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.engine.cpp.binding import deduce
-from rosward.engine.cpp.categories import by_category, numbers_written, same_parameters
+from rosward.engine.cpp.categories import by_category, cast_to, numbers_written, same_parameters
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.convertible import NUMBERS, TEXTS, converts, is_convertible
 from rosward.engine.cpp.enumerations import enumeration_of
@@ -54,10 +54,10 @@ def choose(
     if len(by_number) <= 1:
         return by_number or list(functions[:1])
     values = [read(machine, a) for a in args]
-    numbers = numbers_written(machine, args)
+    numbers, cast = numbers_written(machine, args), cast_to(machine, args)
     scores: list[tuple[Function, tuple[int, ...]]] = []
     for function in by_number:
-        score = _score(machine, function, values, types, numbers)
+        score = _score(machine, function, values, types, numbers, cast)
         if score is not None:
             scores.append((function, score))
     if not scores:
@@ -69,11 +69,11 @@ def choose(
     return best if any(isinstance(o, Unknown) for v in values for o in options(v)) else _versions(machine, best)
 
 
-def fitting(machine: Engine, functions: Sequence[Function], args: Sequence[Value]) -> list[Function]:
+def fitting(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]) -> list[Function]:
     """Those that may be called with arguments of which something is known."""
     values = [read(machine, a) for a in args]
     by_number = [f for f in functions if _takes(f.code.signature, len(args), 0)]
-    return [f for f in by_number if _score(machine, f, values, ()) is not None]
+    return [f for f in by_number if _score(machine, f, values, (), cast=cast_to(machine, args)) is not None]
 
 
 def _versions(machine: Engine, best: list[Function]) -> list[Function]:
@@ -152,6 +152,7 @@ def _score(
     values: Sequence[Value],
     types: tuple[Value, ...],
     numbers: tuple[str, ...] = (),
+    cast: tuple[Value | None, ...] = (),
 ) -> tuple[int, ...] | None:
     signature = function.code.signature
     if signature is None:
@@ -164,7 +165,8 @@ def _score(
         parameter = _parameter(signature, index)
         if parameter is None:
             return None
-        points = max(_fits(machine, env, parameter, o, bindings, generic) for o in options(value))
+        as_type = cast[index] if cast else None
+        points = max(_fits(machine, env, parameter, o, bindings, generic, as_type) for o in options(value))
         if points == _NEVER:
             return None
         if numbers and numbers[index] and not generic.intersection(parameter.type.names):
@@ -179,7 +181,7 @@ def _number(name: str, number: str, points: int) -> int:
     """How well a number whose type is written fits a type, which other types of numbers fit so well."""
     type_ = same_type(name.removeprefix("std."))
     if not _is_number(name):
-        return points
+        return _NEVER if name in TEXTS else points
     if type_ == number:
         return _EXACT
     return _NEAR if type_ == ("int" if number in SMALL else "double" if number == "float" else "") else _TEMPLATE
@@ -199,6 +201,7 @@ def _fits(
     value: Value,
     bindings: dict[str, Value],
     generic: frozenset[str],
+    cast: Value | None,
 ) -> int:
     pattern = parameter.type
     if any(n in generic for n in pattern.names):
@@ -207,7 +210,22 @@ def _fits(
         return _shaped(
             machine, pattern.names[-1] if pattern.names else "", is_pointer=is_pointer_pattern(pattern), value=value
         )
-    return fit(machine, value, type_of_pattern(machine, env, pattern, bindings))
+    type_ = type_of_pattern(machine, env, pattern, bindings)
+    return fit(machine, value, type_) if cast is None else _fit_cast(machine, value, type_, cast)
+
+
+def _fit_cast(machine: Engine, value: Value, type_: Value, cast: Value) -> int:
+    """How well an object, or a pointer to it, fits a type that is cast to one of its bases."""
+    ref, target = (value.target, pointee(cast)) if isinstance(value, Pointer) else (value, cast)
+    own = type_of(machine, ref)
+    if not (isinstance(ref, Ref) and isinstance(own, Class) and isinstance(target, Class) and target in own.mro):
+        return fit(machine, value, type_)
+    if target is cast:
+        return _object(machine, cast, type_, dotted(type_))
+    wanted = pointee(type_)
+    if not isinstance(wanted, Class):
+        return fit(machine, value, type_)
+    return _EXACT if wanted == target else _NEAR if wanted in target.mro else _NEVER
 
 
 def _shaped(machine: Engine, name: str, *, is_pointer: bool, value: Value) -> int:
@@ -369,6 +387,8 @@ def _object(machine: Engine, cls: Value, type_: Value, name: str) -> int:
         if isinstance(cls, Class) and linked(machine).info(type_) is not None:
             return _CONVERTED if is_convertible(machine, type_, cls) else _NEVER
         return _CONVERTED
+    if name.startswith("std.chrono.") and isinstance(cls, TypeOf):
+        return _CONVERTED if dotted(cls).startswith("std.chrono.") else _NEVER  # a container is no time
     if isinstance(type_, TypeOf):
         own = dotted(cls)
         if own.rpartition(".")[2] == name.rpartition(".")[2] or isinstance(cls, Native):

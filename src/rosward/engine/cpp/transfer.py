@@ -151,6 +151,7 @@ def _convert(machine: Engine, op: cpp.Convert, frame: Frame) -> bool | None:
     if value is UNBOUND:
         frame.registers[op.dst] = value
         return None
+    frame.cast[op.dst] = frame.registers[op.type]
     return _kept(frame, op.dst, as_type.convert(machine, value, frame.registers[op.type], op.kind))
 
 

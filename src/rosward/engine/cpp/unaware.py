@@ -19,6 +19,7 @@ from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import TRUE, UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine import activation
+from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import is_constant, may_be_written
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.opaque import opaque
@@ -34,7 +35,7 @@ from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
-    from rosward.ir.symbols import Symbol
+    from rosward.ir.symbols import Scope, Symbol
 
 _MANY: Final = 500
 """A call of fewer is always followed."""
@@ -52,7 +53,7 @@ def run(machine: Engine, function: Function, registers: list[Value]) -> Value:
         return activation.invoke(machine, function, registers)
     effort, key = program.effort, function.code.key
     if key in effort.large and effort.spent(begun) >= most and _is_ordinary(machine, function):
-        handed = _Handed(machine)
+        handed = _Handed(machine, program.symbols.unaware[function.code.file])
         if handed.is_data([*registers, *_types(machine, function.module)]):
             return _anything(machine, function, handed)
         effort.large.discard(key)  # it is asked again once it has taken many steps again
@@ -156,9 +157,11 @@ def _led_to(machine: Engine, symbol: Symbol, type_: Value, handed: _Handed) -> I
 class _Handed:
     """What a call can get hold of: objects, and places of single values."""
 
-    def __init__(self, machine: Engine) -> None:
+    def __init__(self, machine: Engine, foreign: frozenset[Scope] = frozenset()) -> None:
         self._machine = machine
         self._unaware = linked(machine).symbols.unaware
+        self._foreign = set(foreign)  # what is of these namespaces leads to functions of theirs
+        self._spaces: set[Scope] = set()  # of the classes and enumerations
         self.objects: dict[Ref, None] = {}
         self.slots: dict[Slot, None] = {}
 
@@ -171,7 +174,7 @@ class _Handed:
                 if inner is None or len(self.objects) > _REACHED:
                     return False
                 waiting += inner
-        return True
+        return not any(scope[: len(space)] == space for space in self._foreign for scope in self._spaces)
 
     def others(self, first: Value) -> Iterator[Value]:
         """The functions that something leads to, and the objects that may know of ROS."""
@@ -187,6 +190,7 @@ class _Handed:
     def _inner(self, value: Value) -> Iterable[Value] | None:
         """What a value leads to; None where it is not data."""
         if value is UNBOUND or isinstance(value, _PLAIN):
+            self._spaces.add(scope_of(enumeration_of(value)))
             return ()
         if isinstance(value, (Class, External)):
             return self._inner_of_class(value)
@@ -225,11 +229,17 @@ class _Handed:
 
     def _is_unaware(self, cls: Value) -> bool:
         """Whether an object of a class knows nothing of ROS."""
-        if isinstance(cls, Class):
-            return all(
-                base.place.file in self._unaware or base.place.file.startswith(_STD)
-                if isinstance(base, Class)
-                else self._is_unaware(base)
-                for base in cls.mro
-            )
-        return isinstance(cls, External) and not cls.name.startswith("rcl")
+        if not isinstance(cls, Class):
+            self._spaces.add(tuple(cls.name.split(".")) if isinstance(cls, External) else ())
+            return isinstance(cls, External) and not cls.name.startswith("rcl")
+        for base in cls.mro:
+            if not isinstance(base, Class):
+                if not self._is_unaware(base):
+                    return False
+                continue
+            file, info = base.place.file, linked(self._machine).info(base)
+            if file not in self._unaware and not file.startswith(_STD):
+                return False
+            self._foreign |= self._unaware.get(file, frozenset())
+            self._spaces.add(() if info is None else tuple(filter(None, info.scope)))
+        return True

@@ -81,8 +81,8 @@ class CppSymbols:
         return found
 
     @cached_property
-    def unaware(self) -> frozenset[str]:
-        """The files that know nothing of ROS, and keep nothing between two calls."""
+    def unaware(self) -> Mapping[str, frozenset[Scope]]:
+        """The files that know nothing of ROS, and keep nothing between two calls, unless they are handed something of these namespaces."""
         return unaware(self.files)
 
     @cached_property

@@ -16,7 +16,7 @@ from typing import Final
 
 from rosward.frontends.cpp.model_headers import PREFIX, modelled
 from rosward.frontends.cpp.symbol_file import FileSymbols
-from rosward.ir.symbols import SymbolKind
+from rosward.ir.symbols import Scope, SymbolKind
 
 _DATA: Final = re.compile(
     r"[a-z_]+|(?:std\w+|assert|ctype|errno|fcntl|fenv|float|getopt|inttypes|limits|locale|malloc|math|memory|poll|pthread|sched|semaphore|signal"
@@ -34,22 +34,94 @@ _LEADING: Final = re.compile(r"\*|\b(?:auto|mutable|any|reference_wrapper|Ptr|Sh
 _ARGUMENTS: Final = re.compile(r"<[^<>]*>")
 _ATTRIBUTE: Final = re.compile(r"\[\[[^\[\]]*\]\]")
 _CREATING: Final = frozenset({"publish", "advertise", "subscribe", "advertiseService", "NodeHandle"})
+_RENAMING: Final = frozenset({SymbolKind.USING, SymbolKind.ALIAS})
 _NAMED: Final = frozenset({SymbolKind.CLASS, SymbolKind.FUNCTION, SymbolKind.VARIABLE})
 
 
-def unaware(files: Sequence[FileSymbols]) -> frozenset[str]:
-    """Those of a program, by the names that places have for them."""
+def unaware(files: Sequence[FileSymbols]) -> dict[str, frozenset[Scope]]:
+    """Those of a program, by the names that places have for them, with the namespaces of which they must not be handed anything.
+
+    They call a function of such a namespace where it is found by its arguments: `to_json(json, value)` in nlohmann/json.hpp.
+    """
     own = [file for file in files if not file.parsed.prepared.file.startswith(PREFIX)]
     leading = {name for file in own for name, text in _classes(file) if _LEADING.search(text)}
     words = {f: found for f in own if (found := _words(f)) is not None and not _keeps_something(f, leading)}
     classes = {name for file in words for name, _ in _classes(file)}
+    opened, renamed = _opened(own), _renamed(own)
+    by_arguments: dict[FileSymbols, set[Scope]] = {file: set() for file in words}
     left, aware = list(words), [file for file in own if file not in words]
     while aware and left:  # what these declare the others may call
-        names = {name for file in aware for name in (*_names(file), *classes.intersection(_operands(file)))}
+        names = _reached(aware, opened, renamed)
+        for name in set().union(*(classes.intersection(_operands(file)) for file in aware)):
+            names.setdefault(name, {})[()] = False
         paths = {file.parsed.prepared.path for file in aware}
-        aware = [f for f in left if not words[f].isdisjoint(names) or not paths.isdisjoint(f.parsed.prepared.includes)]
+        aware = []
+        for file in left:
+            said = [(s, f) for n in words[file].intersection(names) for s, f in names[n].items()]
+            if not paths.isdisjoint(file.parsed.prepared.includes) or any(_sees(words[file], s) for s, _ in said):
+                aware.append(file)
+            by_arguments[file].update(scope for scope, is_function in said if is_function)
         left = [file for file in left if file not in set(aware)]
-    return frozenset(file.parsed.prepared.file for file in left)
+    return _with_included(left, by_arguments)
+
+
+def _sees(words: set[str], scope: Scope) -> bool:
+    """Whether what is declared in a namespace can be named in a file: the file opens the namespace, or says its name."""
+    return not scope or scope[0] in words
+
+
+def _reached(
+    aware: Sequence[FileSymbols], opened: set[Scope], renamed: dict[str, set[Scope]]
+) -> dict[str, dict[Scope, bool]]:
+    """The names that files declare, by the namespaces in which they are found: whether of functions."""
+    found: dict[str, dict[Scope, bool]] = {}
+    for file in aware:
+        for name, scope, is_function in _names(file):
+            within = tuple(filter(None, scope))  # what stands in an unnamed namespace is seen around it
+            scopes = found.setdefault(name, {})
+            scopes[within] = scopes.get(within, False) or is_function
+            if within in opened:
+                scopes.setdefault((), False)
+    for name, scopes in found.items():
+        for scope in renamed.get(name, ()):
+            scopes.setdefault(scope, False)
+    return found
+
+
+def _renamed(files: Sequence[FileSymbols]) -> dict[str, set[Scope]]:
+    """By name, the namespaces in which it is known, too: `using lamp::light;`."""
+    found: dict[str, set[Scope]] = {}
+    for file in files:
+        for each in file.outline.declared:
+            if each.kind in _RENAMING:
+                found.setdefault(each.name, set()).add(tuple(filter(None, each.scope)))
+    return found
+
+
+def _opened(files: Sequence[FileSymbols]) -> set[Scope]:
+    """The namespaces of which headers make the names seen elsewhere. (In a source, it stands behind what the source includes.)"""
+    kinds = (SymbolKind.USING_NAMESPACE, SymbolKind.NAMESPACE_ALIAS)
+    renamed = [each for file in files if not file.source for each in file.outline.declared if each.kind in kinds]
+    said = {word for each in renamed for word in _WORD.findall((each.whole.text or b"").decode("utf-8", "replace"))}
+    named = {scope for file in files for scope in file.outline.spaces if scope and scope[-1] in said}
+    return named.union(*(file.outline.inlines for file in files))
+
+
+def _with_included(
+    files: Sequence[FileSymbols], by_arguments: dict[FileSymbols, set[Scope]]
+) -> dict[str, frozenset[Scope]]:
+    """The namespaces of each file, with those of all that it includes: its functions may call theirs."""
+    by_path = {file.parsed.prepared.path: file for file in files}
+    found: dict[str, frozenset[Scope]] = {}
+    for file in files:
+        reached, waiting = {file}, [file]
+        while waiting:
+            paths = waiting.pop().parsed.prepared.includes
+            more = {by_path[path] for path in paths if path in by_path} - reached
+            reached |= more
+            waiting += more
+        found[file.parsed.prepared.file] = frozenset().union(*(by_arguments[each] for each in reached))
+    return found
 
 
 def _classes(file: FileSymbols) -> Iterator[tuple[str, str]]:
@@ -70,17 +142,19 @@ def _words(file: FileSymbols) -> set[str] | None:
     return words
 
 
-def _names(file: FileSymbols) -> set[str]:
-    """What others may name of it: its classes, functions and variables, and the classes of which it defines members."""
-    found = {each.name for each in file.outline.declared if each.kind in _NAMED and not each.before}
+def _names(file: FileSymbols) -> Iterator[tuple[str, Scope, bool]]:
+    """What others may name of it: its classes, functions and variables, and the classes of which it defines members. With each, the namespace
+    in which it is found, and whether it is a function."""
+    for each in file.outline.declared:
+        if each.kind in _NAMED and not each.before:
+            yield each.name, each.scope, each.kind is SymbolKind.FUNCTION
     for scope, names in file.elsewhere.items():
         for name, symbols in names.items():
             of_class = scope and any(map(file.in_class, symbols))
             if not of_class or any(symbol.kind is SymbolKind.CLASS for symbol in symbols):
-                found.add(name)
+                yield name, scope, any(symbol.kind is SymbolKind.FUNCTION for symbol in symbols)
             if of_class:
-                found.add(scope[-1])
-    return found
+                yield scope[-1], scope[:-1], False
 
 
 def _operands(file: FileSymbols) -> set[str]:

@@ -4,6 +4,7 @@
     class DEMO_PUBLIC Driver : public Base      ->  class             Driver : public Base
     DEMO_EXPORT explicit Driver(int x);         ->              explicit Driver(int x);
     DECLARE_PARAMETERS(Driver)                  ->  blank, and told: nobody knows what it declares
+    int count_ DEMO_GUARDED_BY(mutex_) = 0;     ->  int count_                         = 0;
 
 They are blanked, so that what stands around them stays where it is.
 """
@@ -27,9 +28,17 @@ _BEFORE: Final = re.compile(
     re.MULTILINE,
 )
 _CALL: Final = re.compile(r"^[ \t]*([A-Z][A-Z0-9_]{3,})[ \t]*\(", re.MULTILINE)
+_THREADS: Final = re.compile(
+    r"(?:(?<=[\w\]}])\s+(?:[A-Z][A-Z0-9]*_)*(?:GUARDED_BY|ACQUIRED_BEFORE|ACQUIRED_AFTER)"
+    r"|(?:(?<=\))|(?<=const)|(?<=noexcept)|(?<=override)|(?<=final))\s+(?:[A-Z][A-Z0-9]*_)*"
+    r"(?:REQUIRES|REQUIRES_SHARED|EXCLUDES|ASSERT_CAPABILITY|RETURN_CAPABILITY|LOCKS_REQUIRED|LOCKS_EXCLUDED|LOCK_RETURNED))\s*\("
+)
+"""What says to the compiler which mutex protects something; nothing runs because of it."""
+_MARKS: Final = ("GUARDED_BY", "ACQUIRED_", "REQUIRE", "EXCLUDE", "CAPABILITY", "LOCK_RETURNED")
 _CALL_LIMIT: Final = 20_000  # characters
 _UNCLOSED: Final = 100
 _GOES_ON: Final = re.compile(r"\s*[;{.\-+*/?:&|,)=<>\[\]]")
+_DECLARED: Final = re.compile(r"\s*(?:[;={,]|[A-Z_]+\s*\()")
 _ENDED: Final = re.compile(r"[;{}:]\s*\Z|\A\s*\Z")
 
 
@@ -50,7 +59,7 @@ def without_unknown(text: str) -> tuple[str, list[Blanked]]:
         changed = text
     else:
         changed = _VISIBILITY.sub(_blank, text)
-    changed = _CLASS.sub(_blank_first, changed)
+    changed = _without_attributes(_CLASS.sub(_blank_first, changed))
     changed = _BEFORE.sub(_blank_first, changed)
     pieces: list[str] = []
     position = unclosed = 0
@@ -67,6 +76,18 @@ def without_unknown(text: str) -> tuple[str, list[Blanked]]:
         pieces += [changed[position : call.start()], blank(changed[call.start() : end])]
         position = end
     return "".join([*pieces, changed[position:]]), told
+
+
+def _without_attributes(text: str) -> str:
+    """The text without what stands between a declaration and its end to say which mutex protects it."""
+    pieces: list[str] = []
+    position = 0
+    for found in _THREADS.finditer(text) if any(mark in text for mark in _MARKS) else ():
+        end = behind_bracket(text, found.end(), _CALL_LIMIT) if found.start() >= position else -1
+        if end >= 0 and _DECLARED.match(text, end):
+            pieces += [text[position : found.start()], blank(text[found.start() : end])]
+            position = end
+    return "".join([*pieces, text[position:]])
 
 
 def _blank(found: re.Match[str]) -> str:

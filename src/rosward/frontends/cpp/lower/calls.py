@@ -163,9 +163,22 @@ def _c_cast(body: Body, node: Node, want: Want) -> int:
         return body.unknown(node, "syntax")
     if word(type_) == "void":
         return body.expression(value, "effect")
-    return body.given(
-        node, converted(body, node, value, type_of(body, type_, keep=True), _by_value(type_, "static")), want
-    )
+    kind = _by_value(type_, "static")
+    if value.type == "assignment_expression":  # `(Base &)*this += x`: what is cast is on its left
+        return _assigned(body, node, value, type_, kind)
+    found = converted(body, node, value, type_of(body, type_, keep=True), kind)
+    return found if kind == "static" and want in ("value", "slot") else body.given(node, found, want)
+
+
+def _assigned(body: Body, node: Node, assignment: Node, type_: Node, kind: Cast) -> int:
+    left, right = assignment.child_by_field_name("left"), assignment.child_by_field_name("right")
+    if left is None or right is None:
+        return body.unknown(node, "syntax")
+    slot = converted(body, node, left, type_of(body, type_, keep=True), kind)
+    dst = body.register()
+    operator = word(assignment.child_by_field_name("operator"))
+    body.emit(Assign(*body.place(node), dst, operator, slot, body.slot(right)))
+    return dst
 
 
 def _typeid(body: Body, node: Node, listed: Node | None, _want: Want) -> int:

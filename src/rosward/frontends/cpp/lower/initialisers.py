@@ -43,7 +43,7 @@ def arguments(body: Body, node: Node | None) -> tuple[Argued, ...]:
 
 
 def _argued(body: Body, node: Node) -> Argued:
-    found, number = body.argued(node), type_written(body, node)
+    found, number = body.argued(node), "char" if node.type == "char_literal" else type_written(body, node)
     return found if number in _PLAIN else found._replace(number=number)
 
 

@@ -6,6 +6,8 @@
 
 namespace image_transport
 {
+using RequiredInterfaces = rclcpp::node_interfaces::NodeInterfaces<>;
+
 class TransportHints
 {
 public:
@@ -94,6 +96,13 @@ class Publisher
 {
 public:
   Publisher() {}
+  template<typename NodeT, typename LoaderT, typename QosT = rclcpp::QoS>
+  [[rosward::creator]] Publisher(
+    const NodeT & node, const std::string & base_topic, const LoaderT & loader, const QosT & custom_qos = rmw_qos_profile_default,
+    const rclcpp::PublisherOptions & options = rclcpp::PublisherOptions())
+  {
+    _advertise(node, base_topic, custom_qos, options);
+  }
   template<typename NodeT, typename QosT>
   void _advertise(
     const NodeT & node, const std::string & base_topic, const QosT & qos,
@@ -121,6 +130,13 @@ class CameraPublisher
 {
 public:
   CameraPublisher() {}
+  template<typename NodeT, typename QosT = rclcpp::QoS>
+  [[rosward::creator]] CameraPublisher(
+    const NodeT & node, const std::string & base_topic, const QosT & custom_qos = rmw_qos_profile_default,
+    const rclcpp::PublisherOptions & options = rclcpp::PublisherOptions())
+  {
+    _advertise(node, base_topic, custom_qos, options);
+  }
   template<typename NodeT, typename QosT>
   void _advertise(
     const NodeT & node, const std::string & base_topic, const QosT & qos,
@@ -153,6 +169,13 @@ class Subscriber
 public:
   typedef std::function<void(const sensor_msgs::msg::Image::ConstSharedPtr &)> Callback;
   Subscriber() {}
+  template<typename NodeT, typename CallbackT, typename LoaderT, typename QosT = rclcpp::QoS, typename... OptionsT>
+  [[rosward::creator]] Subscriber(
+    const NodeT & node, const std::string & base_topic, const CallbackT & callback, const LoaderT & loader,
+    const std::string & transport, const QosT & custom_qos = rmw_qos_profile_default, const OptionsT & ... options)
+  {
+    _subscribe(node, base_topic, transport, custom_qos, callback);
+  }
   std::string getTopic() const {return rosward::resolve_name(_node, _topic, "topic");}
   size_t getNumPublishers() const {return rosward::unknown("live", "publishers of a topic", "int");}
   std::string getTransport() const {return _transport;}
@@ -180,6 +203,13 @@ public:
   typedef std::function<
       void(const sensor_msgs::msg::Image::ConstSharedPtr &, const sensor_msgs::msg::CameraInfo::ConstSharedPtr &)> Callback;
   CameraSubscriber() {}
+  template<typename NodeT, typename CallbackT, typename QosT = rclcpp::QoS>
+  [[rosward::creator]] CameraSubscriber(
+    const NodeT & node, const std::string & base_topic, const CallbackT & callback, const std::string & transport,
+    const QosT & custom_qos = rmw_qos_profile_default)
+  {
+    _subscribe(node, base_topic, transport, custom_qos, callback);
+  }
   std::string getTopic() const {return rosward::resolve_name(_node, _topic, "topic");}
   std::string getInfoTopic() const {return rosward::resolve_name(_node, detail::camera_info(_topic), "topic");}
   size_t getNumPublishers() const {return rosward::unknown("live", "publishers of a topic", "int");}

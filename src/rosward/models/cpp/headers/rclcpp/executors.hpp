@@ -150,21 +150,35 @@ public:
   template<typename... ArgsT>
   void add_subscription(const ArgsT & ... args) {}
   template<typename... ArgsT>
+  void remove_subscription(const ArgsT & ... args) {}
+  template<typename... ArgsT>
   void add_timer(const ArgsT & ... args) {}
+  template<typename... ArgsT>
+  void remove_timer(const ArgsT & ... args) {}
   template<typename... ArgsT>
   void add_client(const ArgsT & ... args) {}
   template<typename... ArgsT>
+  void remove_client(const ArgsT & ... args) {}
+  template<typename... ArgsT>
   void add_service(const ArgsT & ... args) {}
+  template<typename... ArgsT>
+  void remove_service(const ArgsT & ... args) {}
   template<typename... ArgsT>
   void add_guard_condition(const ArgsT & ... args) {}
   template<typename... ArgsT>
+  void remove_guard_condition(const ArgsT & ... args) {}
+  template<typename... ArgsT>
   void add_waitable(const ArgsT & ... args) {}
+  template<typename... ArgsT>
+  void remove_waitable(const ArgsT & ... args) {}
   template<typename... ArgsT>
   auto wait(const ArgsT & ... args)
   {
     rosward::spin();
     return rosward::unknown("live", "what is ready");
   }
+  template<typename... ArgsT>
+  void prune_deleted_entities(const ArgsT & ... args) {}
 };
 using StaticWaitSet = WaitSet;
 using ThreadSafeWaitSet = WaitSet;

@@ -115,6 +115,7 @@ class TransformListener
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(TransformListener)
+  using RequiredInterfaces = rclcpp::node_interfaces::NodeInterfaces<>;
   template<typename BufferT>
   [[rosward::creator]] explicit TransformListener(BufferT & buffer, bool spin_thread = true, bool static_only = false)
   {
@@ -181,6 +182,7 @@ class TransformBroadcaster
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(TransformBroadcaster)
+  using RequiredInterfaces = rclcpp::node_interfaces::NodeInterfaces<>;
   template<typename NodeT>
   [[rosward::creator]] explicit TransformBroadcaster(
     NodeT && node, const rclcpp::QoS & qos = DynamicBroadcasterQoS(),
@@ -209,6 +211,7 @@ class StaticTransformBroadcaster
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(StaticTransformBroadcaster)
+  using RequiredInterfaces = rclcpp::node_interfaces::NodeInterfaces<>;
   template<typename NodeT>
   [[rosward::creator]] explicit StaticTransformBroadcaster(
     NodeT && node, const rclcpp::QoS & qos = StaticBroadcasterQoS(),
