@@ -105,9 +105,7 @@ def suited(text: str) -> str:
         text = _DELETE.sub(r"\1 \2 ", text)
     if "0" in text:
         text = _ZERO.sub(r"\1+", text)
-    text = _TABLE.sub(r"\1 ", text)
-    if "&" in text:
-        text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", text)
+    text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", _TABLE.sub(r"\1 ", text))
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
     if "slots" in text:

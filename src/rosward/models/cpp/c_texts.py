@@ -169,7 +169,7 @@ _FUNCTIONS: Final[dict[str, NativeFunction]] = {
     **dict.fromkeys(("strcpy", "strncpy", "strcat", "strncat"), _strcpy),
     **dict.fromkeys(("strcmp", "strncmp", "strcasecmp", "strncasecmp"), _strcmp),
     **dict.fromkeys(("strstr", "strchr", "strrchr"), _strstr),
-    "strdup": lambda call: _text(call.machine, call.args[0]),
+    "strdup": lambda call: lift(as_characters, _text(call.machine, call.args[0])),
     "va_end": _nothing,
 }
 _LEAST_OF_C: Final = {
