@@ -27,7 +27,7 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
-from rosward.models.cpp.characters import is_text, text_behind
+from rosward.models.cpp.characters import as_string, is_text
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import ASSIGN, copied, write
 from rosward.models.cpp.slots import plain_number, read
@@ -166,8 +166,8 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     value = decayed(machine, src)
     if value.__class__ is not Unknown:
         value = copied(machine, value)
-    if value.__class__ in (Pointer, Choice) and not _holds_pointer(machine, slot):
-        value = text_behind(machine, value)
+    if any(o.__class__ is Pointer or is_char_text(o) for o in options(value)) and not _holds_pointer(machine, slot):
+        value = as_string(machine, value)
     before = read(machine, slot) if value.__class__ is Pointer or value == NONE else NONE
     write(machine, slot, _as_declared(machine, slot, value) if _is_whole(value) else value)
     is_left = before.__class__ is Pointer and before != value

@@ -49,7 +49,8 @@ def _put(machine: Machine, place: Value, text: Value) -> None:
             if any(len(str(text_of(o))) < begin for o in options(whole) if text_of(o) is not None):
                 text = unknown_from(machine, "characters", "str", whole, text)  # behind where it ends
             before = python.load_item(machine, whole, Slice(NONE, Const(begin), NONE))
-            write(machine, target.base, concat((before, text)) if begin else text, weak=len(options(held)) > 1)
+            text = concat((before, text)) if begin else text
+            write(machine, target.base, lift(as_characters, text), weak=len(options(held)) > 1)
         elif (
             isinstance(target, Slot)
             and isinstance(target.base, Ref)

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from rosward.domain.choice import lift, options
-from rosward.domain.slots import Pointer, Slot
+from rosward.domain.slots import Pointer, Slot, is_char_text
 from rosward.domain.values import Choice, Const, Ref, Text, Unknown, Value
 from rosward.models.cpp.slots import read
 from rosward.models.native import Machine
 from rosward.models.python.plain import from_python, int_of, origins, text_of, unknown_from
 
-__all__ = ["beside_text", "character_of", "is_text", "number_of", "text_behind", "text_in"]
+__all__ = ["as_string", "beside_text", "character_of", "is_text", "number_of", "text_behind", "text_in"]
 
 
 def character_of(value: Value) -> str | None:
@@ -46,6 +46,17 @@ def text_behind(machine: Machine, value: Value) -> Value:
     if value.__class__ is Choice and any(option.__class__ is Pointer for option in value.options):
         return lift(lambda o: _behind(machine, o) if o.__class__ is Pointer else o, value)
     return value
+
+
+def as_string(machine: Machine, value: Value) -> Value:
+    """Characters, or a pointer to them, as a string object has them; anything else as it is."""
+
+    def one(option: Value) -> Value:
+        return (
+            Const(str(option.value), option.origins) if is_char_text(option) and isinstance(option, Const) else option
+        )
+
+    return lift(one, text_behind(machine, value))
 
 
 def beside_text(machine: Machine, left: Value, right: Value) -> tuple[Value, Value]:

@@ -260,7 +260,11 @@ def _text(machine: Machine, value: Value) -> Value:
             return unknown_from(machine, "string", "str", value) if text is None else text
         whole = read(machine, value.target.base)
         if begin == 0 or (begin is not None and text_of(whole) is not None):
-            return whole if begin == 0 else from_python(machine, str(text_of(whole))[begin:], origins(whole))
+            return (
+                lift(lambda o: _text(machine, o), whole)
+                if begin == 0
+                else from_python(machine, str(text_of(whole))[begin:], origins(whole))
+            )
     return unknown_from(machine, "string", "str", value)
 
 

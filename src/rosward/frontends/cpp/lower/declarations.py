@@ -226,7 +226,7 @@ def _meant(body: Body, node: Node) -> Argued:
     if type_node is None:
         return Argued(body.unknown(node, "syntax"))
     if inner is None:
-        return Argued(body.slot(type_node), "slot")
+        return body.argued(type_node)
     if inner.type == "abstract_array_declarator":
         return Argued(_element(body, body.slot(type_node), inner), "slot")
     listed, given_ = inner.child_by_field_name("parameters"), _vexing(inner)
