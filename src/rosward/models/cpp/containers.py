@@ -75,11 +75,11 @@ def made_of(machine: Machine, type_: Value, args: tuple[Value, ...], index: int 
 
 
 def place_of(machine: Machine, ref: Ref, index: Value) -> Value:
-    """The slot of an element; an object itself."""
+    """The slot of an element; an object itself, and where a reference leads (`std::tie`)."""
     index = plain_number(read(machine, index))
     slot = Slot(ref, "item", index)
     held = read(machine, slot)
-    return held if all(isinstance(option, Ref) for option in options(held)) else slot
+    return held if all(isinstance(option, (Ref, Slot)) for option in options(held)) else slot
 
 
 def cls_of(machine: Machine, ref: Ref) -> Value:
