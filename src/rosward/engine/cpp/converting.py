@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
-from rosward.domain.slots import Overloads, Pointer, Slot
+from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Choice, Class, Const, Ref, Text, Unknown, Value
 from rosward.engine.cpp import names
@@ -119,16 +119,13 @@ def _is_buffer(machine: Engine, place: Value) -> bool:
         return False
     if place.kind == "item":
         cls = machine.obj(place.base).cls
-        inner = argument(cls, 0) if name_of(cls) == "array" else NONE
+        inner = argument(cls, 0) if cls.__class__ is TypeOf and cls.name == "array" else NONE
         return name_of(inner) == "array" and shape_of(inner) is Shape.TEXT
-    if place.kind != "field":
+    buffers = linked(machine).buffers
+    if place.kind != "field" or not buffers:
         return False
-    program = linked(machine)
-    address = place.base.address
-    if (address, place.key) in program.buffers:
-        return True
-    info = program.info(machine.obj(place.base).cls)
-    return info is not None and place.key in info.buffers
+    cls = machine.obj(place.base).cls
+    return (cls.address if cls.__class__ is Class else place.base.address, place.key) in buffers
 
 
 def _is_text(value: Value) -> bool:

@@ -33,8 +33,7 @@ class Info:
 
     `keys` says under which name each field stands in an object: two fields of one name in a class and its base are two. `clashing` are those that
     several of its bases have under one name, `doubled` those of a base that is there several times, and `hidden` those of which one is seen or
-    another, as the object is declared. `references`: the fields that are references; `buffers`: the keys of
-    those that are arrays of characters. `around`: names of the function that declares the class.
+    another, as the object is declared. `references`: the fields that are references. `around`: names of the function that declares the class.
     `special`: members of this instance of a template alone. `shares`: it is, or has in it, a union. `open`: a template of which the arguments are
     not known yet (they follow from a constructor). `virtual`: its virtual bases, those of its bases, too.
     """
@@ -42,7 +41,6 @@ class Info:
     __slots__ = (
         "around",
         "bindings",
-        "buffers",
         "clashing",
         "cls",
         "doubled",
@@ -86,7 +84,6 @@ class Info:
         self.fields: tuple[Symbol, ...] = ()
         self.keys: dict[str, str] = {}
         self.references = frozenset[str]()
-        self.buffers = frozenset[str]()
         self.cls: Class | None = None
         self.virtual: tuple[Value, ...] = ()
 
@@ -157,7 +154,9 @@ class Linked:
         self.templates: dict[str, Symbol] = {}  # templates of functions, by their code
         self.unsure: set[str] = set()  # the code of functions that the preprocessor may leave out
         self.constants: dict[tuple[str, int], Value] = {}
-        self.buffers: set[tuple[int, str]] = set()  # variables that are arrays of characters, by scope and name
+        self.buffers: set[tuple[int, str]] = (
+            set()
+        )  # fields and variables that are arrays of characters, by class or scope
         self.fixed: set[tuple[int, str]] = set()  # variables that are constants, by scope and name
         self.firsts: dict[
             tuple[str, int], tuple[Value, tuple[tuple[int, Obj], ...]]
