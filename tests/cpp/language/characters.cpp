@@ -17,6 +17,9 @@ static void fill_it(char * out) { strcpy(out, "filled"); }
 static void put_first(char * out) { *out = 'x'; }
 static char * returned(char * in) { return in + 1; }
 
+static char * kept() { static char s[8] = "abc"; return s; }
+static char * of_namespace() { return global_name; }
+
 static void run()
 {
   { char name[16] = "abc"; char * p = name; *p = 'x'; show(std::string("c1_") + name); }
@@ -104,4 +107,6 @@ static void run()
   { char b[32] = "one"; const char * s = "x"; s = "lit"; s = b; strcpy(b, "two"); show(std::string("c105_") + s); }
   { char b[32] = "one"; std::vector<std::string> v(1); v[0] = "lit"; v[0] = b; strcpy(b, "two"); show(std::string("c107_") + v[0]); std::string t(b, 2); show(std::string("c107_") + (t + "t")); b[0] = 'q'; std::string u(b, 2); show(std::string("c107_") + (u + "u")); }
   { char b[32] = "one"; const char * ps[2]; ps[0] = "lit"; ps[0] = b; strcpy(b, "two"); show(std::string("c108_") + ps[0]); }
+  { char * p = kept(); *p = 'x'; show(std::string("kept_") + kept()); }
+  { char * p = of_namespace(); p[1] = '_'; show(std::string("namespace_") + global_name); }
 }

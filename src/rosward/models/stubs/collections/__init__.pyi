@@ -470,16 +470,16 @@ class UserString(Sequence):
         return self.data.partition(sep)
     def rpartition(self, sep):
         return self.data.rpartition(sep)
-    def startswith(self, prefix, *args):
-        return self.data.startswith(prefix, *args)
-    def endswith(self, suffix, *args):
-        return self.data.endswith(suffix, *args)
-    def find(self, sub, *args):
-        return self.data.find(_data(sub), *args)
-    def index(self, sub, *args):
-        return self.data.index(_data(sub), *args)
-    def count(self, sub, *args):
-        return self.data.count(_data(sub), *args)
+    def startswith(self, prefix, start=0, end=sys.maxsize):
+        return self.data.startswith(prefix, start, end)
+    def endswith(self, suffix, start=0, end=sys.maxsize):
+        return self.data.endswith(suffix, start, end)
+    def find(self, sub, start=0, end=sys.maxsize):
+        return self.data.find(_data(sub), start, end)
+    def index(self, sub, start=0, end=sys.maxsize):
+        return self.data.index(_data(sub), start, end)
+    def count(self, sub, start=0, end=sys.maxsize):
+        return self.data.count(_data(sub), start, end)
     def isdigit(self):
         return self.data.isdigit()
     def isalpha(self):
