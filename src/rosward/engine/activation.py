@@ -38,6 +38,8 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
             limit = 0 if recursive or _is_large(machine, function) else 1
     if depth:
         machine.summaries.recursive.add(code.key)
+        if code.key in machine.summaries.waiting:
+            limit = min(limit, 1)
     if is_too_deep(machine, code, registers, depth, limit) or len(machine.frames) >= machine.budget.depth:
         return summarised(machine, function, registers)
     given = tuple(registers)

@@ -197,6 +197,7 @@ class Interpreter(Answers):
         """Replace the record at an address."""
         state = self.state
         state.heap[address] = obj
+        self.summaries.wrote.add(address)
         if self.watch is not None:
             self.watch.wrote(address)
         before = state.version

@@ -48,6 +48,7 @@ def begun(machine: Engine) -> Call:
     call.around_fresh, machine.summaries.fresh = machine.summaries.fresh, set()
     call.around_rests, machine.precision.rests = machine.precision.rests, {}
     call.around_used, machine.summaries.used = machine.summaries.used, {}
+    call.around_wrote, machine.summaries.wrote = machine.summaries.wrote, set()
     catcher = call.catcher = machine.catchers[-1] if machine.catchers else None
     told = machine.summaries.told if catcher is None else catcher.told
     if told is not None:
@@ -79,6 +80,8 @@ def closed(machine: Engine, call: Call) -> None:
     machine.precision.note_rests(within)
     call.around_used.update(machine.summaries.used)
     machine.summaries.used = call.around_used
+    call.around_wrote |= machine.summaries.wrote
+    machine.summaries.wrote = call.around_wrote
     if not call.outermost:
         return
     if catcher is None:
@@ -120,7 +123,7 @@ def ended(machine: Engine, place: object, key: str, call: Call, over: State | No
     if call.over is not None:
         changed.update(address for address, _ in call.over.written)
     call.fresh = {a: heap.get(a) for a in changed & summaries.fresh - call.asked_for - call.anew}
-    call.rests, call.used = machine.precision.rests, summaries.used
+    call.rests, call.used, call.wrote = machine.precision.rests, summaries.used, frozenset(summaries.wrote)
     begun_with = [a for before, _ in call.rests.values() if before is not None for a, _ in before.objects]
     call.addresses = tuple(call.asked_for.union(changed - call.fresh.keys(), call.anew, begun_with))
     call.records = tuple(map(heap.get, call.addresses))
@@ -173,6 +176,7 @@ def repeated(machine: Engine, key: str, call: Call) -> Value:
     machine.precision.repeat(call.effort)
     machine.precision.rest_again(call.rests)
     machine.summaries.used.update(call.used)
+    machine.summaries.wrote |= call.wrote
     if machine.catchers:
         machine.noted = max(machine.noted, call.level)
         if call.importing:

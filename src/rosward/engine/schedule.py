@@ -129,6 +129,7 @@ def spin(machine: Engine) -> None:
     book.spins += 1
     if book.settled != (len(book.entries), machine.state.version):
         frames = machine.frames
+        machine.summaries.waiting.update(frame.code.key for frame in frames)
         with _alone(machine):
             _run(machine, frames)
         machine.unheld = set()

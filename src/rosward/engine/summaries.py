@@ -43,6 +43,7 @@ class Summary:
         "turn",
         "value",
         "whole",
+        "wrote",
     )
 
     def __init__(self, registers: list[Value], before: State) -> None:
@@ -53,6 +54,7 @@ class Summary:
         self.after: State | None = None
         self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
         self.asked_for: set[int] = set()  # the addresses whose records its body read
+        self.wrote: set[int] = set()  # and those at which it wrote, whether something else stands there now or not
         self.begun = before.done  # what had surely happened before its body ran last
         self.whole = False  # who calls sees all of the states behind, not only what the body changed
         self.provisional = False  # it was made of another summary that was unfinished then
@@ -102,6 +104,7 @@ class Call:
         "around_fresh",
         "around_rests",
         "around_used",
+        "around_wrote",
         "asked_for",
         "before",
         "begun_anew",
@@ -127,6 +130,7 @@ class Call:
         "told",
         "used",
         "value",
+        "wrote",
     )
 
     def __init__(self, state: State, around: tuple[object, ...], before: tuple[object, ...], effort: Effort) -> None:
@@ -159,6 +163,8 @@ class Call:
         self.around_rests: Rests = {}  # those of what runs around, until it ends
         self.used: Used = {}  # the finished summaries at which it looked
         self.around_used: Used = {}  # those of what runs around, until it ends
+        self.wrote: frozenset[int] = frozenset()  # the addresses at which it wrote
+        self.around_wrote: set[int] = set()  # those of what runs around, until it ends
         self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
         self.records: tuple[Obj | None, ...] = ()  # what stood there
         self.left_in: Changes  # the state behind it,
@@ -191,6 +197,8 @@ class Summaries:
         "uncaught",
         "used",
         "vain",
+        "waiting",
+        "wrote",
     )
 
     def __init__(self) -> None:
@@ -206,6 +214,7 @@ class Summaries:
         self.provisional = 0  # how often an unfinished summary of a recursion was read
         self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
         self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
+        self.waiting: set[str] = set()  # those in which callbacks ran
         self.loops: dict[OpKey, tuple[tuple[int, ...], tuple[int, ...]] | None] = {}  # which registers loops use
         self.sure: dict[
             str, int
@@ -221,5 +230,8 @@ class Summaries:
         self.fresh: set[int] = (
             set()
         )  # the addresses of variables that the call which is to be remembered made, and those within
+        self.wrote: set[int] = (
+            set()
+        )  # the addresses at which the call that is to be remembered, or the summary that is being made, wrote
         self.anew: list[int] = []  # the addresses that nothing held and that were taken again
         self.uncaught = 0  # how many of them ended the main body

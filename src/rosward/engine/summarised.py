@@ -78,6 +78,7 @@ def _inside(machine: Engine, summary: Summary, registers: list[Value], merge: Me
     machine.summaries.provisional += 1  # what is computed from it now may not be its last word
     machine.summaries.open += 1
     machine.asked_for |= summary.asked_for
+    machine.summaries.wrote |= summary.wrote
     if summary.after is None:
         return UNBOUND
     machine.state = summary.after.copy()
@@ -147,7 +148,12 @@ def _changed(machine: Engine, summary: Summary, called: State, state: State) -> 
             found.heap[address] = join_objects(old, obj, join).replace(many=True)
     for address in summary.asked_apart(state.heap, found.heap):
         seen = state.heap.get(address)
-        if seen is not None and found.heap.stands(address) is None:
+        if seen is None:
+            continue
+        written = address in summary.wrote and seen is summary.before.heap.get(
+            address
+        )  # it stood there for another call
+        if written or found.heap.stands(address) is None:
             found.heap[address] = seen
     found.version = machine.fresh_version()
     return found
@@ -165,6 +171,8 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
     context = machine.context("summary", function.code.key)
     ended = _ended(machine)
     asked_for, machine.asked_for = machine.asked_for, summary.asked_for
+    wrote, summaries.wrote = summaries.wrote, summary.wrote
+    spins = machine.schedule_book.spins
     epoch, summaries.epoch = summaries.epoch, machine.fresh_version()
     try:
         for _ in range(machine.budget.fixpoint * 4):
@@ -196,7 +204,10 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
         machine.catchers = outer
         summary.asked_for |= machine.asked_for  # which is another set where callbacks have run
         machine.asked_for = asked_for
-        summary.whole = summary.whole or key[0] in summaries.recursive or ended != _ended(machine)
+        summary.wrote |= summaries.wrote
+        summaries.wrote = wrote
+        if key[0] in summaries.recursive or ended != _ended(machine) or spins != machine.schedule_book.spins:
+            summary.whole = True
         summaries.epoch = epoch
 
 
@@ -208,6 +219,7 @@ def _ended(machine: Engine) -> int | None:
 def _of_summary(machine: Engine, summary: Summary, called: State) -> Value:
     """What a call from the state `called` gives by its summary."""
     machine.asked_for |= summary.asked_for  # of the body, which may not have run for this call
+    machine.summaries.wrote |= summary.wrote
 
     def seen(state: State) -> State:
         return _behind(machine, summary, called, state)
