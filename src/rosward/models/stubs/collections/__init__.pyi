@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`collections`: over lists and dicts of the program."""
 import sys
-from _rosward import contents, either, native, reads_only, unknown
+from _rosward import either, native, reads_only, unknown
 from collections.abc import MutableMapping, MutableSequence, Sequence
 
 def _writes_as_dict(instance):
