@@ -242,7 +242,7 @@ class Body:
         """An argument of a call."""
         if node.type == "parameter_pack_expansion":
             return Argued(self.expression(node, "slot"), "pack")
-        variable = self.variable(word(node)) if node.type in ("identifier", "type_identifier") else None
+        variable = self.variable(word(node)) if node.type == "identifier" else None
         if variable is not None and (variable.constant or variable.buffer) and not variable.raw:
             return Argued(self.value(node), "constant" if variable.constant else "value")
         kind: Literal["value", "slot", "result", "constant", "moved"] = (

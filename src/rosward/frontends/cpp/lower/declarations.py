@@ -226,7 +226,10 @@ def _meant(body: Body, node: Node) -> Argued:
     if type_node is None:
         return Argued(body.unknown(node, "syntax"))
     if inner is None:
-        return body.argued(type_node)
+        variable = body.variable(word(type_node))
+        if variable is not None and variable.buffer:
+            return Argued(body.value(type_node), "value")
+        return Argued(body.slot(type_node), "slot")
     if inner.type == "abstract_array_declarator":
         return Argued(_element(body, body.slot(type_node), inner), "slot")
     listed, given_ = inner.child_by_field_name("parameters"), _vexing(inner)
