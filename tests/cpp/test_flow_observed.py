@@ -21,7 +21,17 @@ COMPILED = [
     w
     for w in WAYS
     if w.name.startswith(
-        ("typeid", "first value", "braces", "index of", "reference wrapper", "array that", "comparator")
+        (
+            "typeid",
+            "first value",
+            "braces",
+            "index of",
+            "reference wrapper",
+            "array that",
+            "comparator",
+            "chosen",
+            "character",
+        )
     )
 ]
 

@@ -78,7 +78,7 @@ def _changed(machine: Engine, obj: Obj, unknown: Value) -> Obj:
     if obj.kind == "dict":
         return _changed_dict(obj, unknown)
     if obj.kind == "instance":
-        return message_fields.opened(machine, _changed_object(obj, unknown))
+        return message_fields.opened(machine, _changed_object(machine, obj, unknown))
     return _changed_list(obj, unknown) if obj.kind in ("list", "set") else obj
 
 
@@ -112,12 +112,22 @@ def _holds_node(machine: Engine, obj: Obj, depth: int, seen: set[int]) -> bool:
     return False
 
 
-def _changed_object(obj: Obj, unknown: Value) -> Obj:
-    """Plain values in the attributes of an object of the program may be others; a library's own objects keep theirs."""
-    if not isinstance(obj.cls, (Class, External)) or (isinstance(obj.cls, Class) and obj.cls.stub):
+_FILLED: Final = "_filled"
+"""The attribute of a class in a stub of which the objects are there to be filled: a file in memory."""
+
+
+def _changed_object(machine: Engine, obj: Obj, unknown: Value) -> Obj:
+    """Plain values in the attributes of an object of the program may be others; a library's own objects keep theirs, but for what is filled."""
+    if not isinstance(obj.cls, (Class, External)):
+        return obj
+    if isinstance(obj.cls, Class) and obj.cls.stub and not _is_filled(machine, obj.cls):
         return obj
     attrs = {n: join(v, unknown) for n, v in obj.attrs.items() if not n.startswith("__") and _may_change(v)}
     return obj.replace(attrs={**obj.attrs, **attrs}) if attrs else obj
+
+
+def _is_filled(machine: Engine, cls: Class) -> bool:
+    return any(_FILLED in machine.obj(Ref(base.address)).attrs for base in cls.mro if isinstance(base, Class))
 
 
 def _may_change(value: Value) -> bool:

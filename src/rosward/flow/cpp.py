@@ -264,8 +264,9 @@ def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen:
         function = body.registers[op.obj]
         marks = [function, *marks]
         called = _methods(walker, function, op.name, seen)
-        if len({b.function.code.key for b in seen.bound.values()}) > 1:
-            pc = demoted(value(walker, function).mask)
+        receivers = value(walker, function)
+        if seen.bound and _is_chosen(walker, receivers, seen):  # what chooses an object decides what is done to it
+            pc = demoted(receivers.mask)
     else:
         function = body.registers[op.func]
         pc = demoted(value(walker, function).mask)
@@ -277,6 +278,15 @@ def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen:
     mark = settled(walker, copied(given, seen), seen, body)
     mask = mark.mask | pc | arising(walker, seen)
     body.registers[op.dst] = Mark(mask, mark.roots)
+
+
+def _is_chosen(walker: Walker, receivers: Mark, seen: Seen) -> bool:
+    """Whether a method may run on one of several objects, or be one of several."""
+    if len(receivers.roots) != 1 or len({b.function.code.key for b in seen.bound.values()}) > 1:
+        return True
+    (root,) = receivers.roots
+    record = walker.shape.record(root) if isinstance(root, int) else None
+    return record is None or record.many
 
 
 def _methods(walker: Walker, owner: Mark, method: str, seen: Seen) -> tuple[str, ...]:

@@ -64,7 +64,8 @@ def _construct(walker: Walker, op: cpp.Construct, body: Body, seen: Seen) -> Non
         if written and seen.callees:
             cpp_calls.defaults(walker, seen, found, body.pc, written)
     if places:
-        mask = body.pc | demoted(given.mask if given is not None else 0)
+        decides = given is not None and not seen.bound  # what a constructor is given is in the object, and chooses none
+        mask = body.pc | (demoted(given.mask) if given is not None and decides else 0)
         body.registers[op.dst] = Mark(mask, frozenset(seen.refs))
         return
     found = found if given is None else found.joined(given)

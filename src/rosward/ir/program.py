@@ -78,6 +78,8 @@ class TypePattern(NamedTuple):
     const: bool = False
     pack: bool = False
     """An argument that is a pack: `Args…`."""
+    array: bool = False
+    """Of a variable: an array, which counts as a pointer."""
     size: str = ""
     """The name that stands for the number of elements: `T (&items)[N]`."""
 

@@ -13,6 +13,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.engine.cpp import calls, members
 from rosward.engine.cpp.categories import class_cast_to, of_constness
+from rosward.engine.cpp.converting import as_value
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import pointee
@@ -40,8 +41,8 @@ def types_of(frame: Frame, arguments: tuple[int, ...] | None) -> tuple[Value, ..
 
 
 def value(machine: Engine, found: Value) -> Value:
-    """The value at a slot."""
-    return found if isinstance(found, Overloads) else read(machine, found)
+    """The value at a slot; of an array of characters a pointer to the first."""
+    return found if isinstance(found, Overloads) else as_value(machine, found)
 
 
 def member(

@@ -16,7 +16,7 @@ from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Unknown, Value
 from rosward.engine.cpp.construct import is_one, make
 from rosward.engine.cpp.constructors import constructors, least
-from rosward.engine.cpp.converting import buffer, by_operator, cast, derives, enumerator
+from rosward.engine.cpp.converting import as_value, buffer, by_operator, cast, derives, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.types import dotted, is_message, pointee
@@ -45,6 +45,8 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
         if held.__class__ in (Ref, Choice) and is_of_another(machine, held, type_):
             held = lift(lambda o: as_one(machine, o, type_) if is_of_another(machine, o, type_) else o, held)
     target = pointee(type_)
+    if target is not None:
+        held = as_value(machine, value)
     if kind == "dynamic" or (target is not None and isinstance(target, Class)):
         made = as_pointer(cast(machine, held, target if target is not None else type_, kind), type_)
         return made if kind != "dynamic" or target is not None else _of_reference(machine, made)

@@ -193,11 +193,28 @@ def instance_of(
         program.clashes = program.clashes or bool(info.clashing)
     info.shares = any(f.overlaps for f in info.fields) or any(i.shares for i in inherited)
     info.keys.update((f.name, f"{f.name} of {name}" if f.name in taken else f.name) for f in info.fields)
+    program.buffers.update((address, info.keys[f.name]) for f in info.fields if is_text_array(f))
+    for base in cls.mro[1:] if program.buffers else ():
+        program.buffers |= {
+            (address, key) for key in info.keys.values() if (getattr(base, "address", None), key) in program.buffers
+        }
     if machine.own(address) is None:
         machine.put(address, Obj("class", cls, _rules(machine, info, cls)))
     if not stub:
         machine.log.defined(cls)
     return cls
+
+
+def is_text_array(symbol: Symbol) -> bool:
+    """Whether a variable is declared as `char x[n]`, of which the characters may change."""
+    pattern = symbol.pattern
+    return (
+        pattern.array
+        and pattern.builtin == "char"
+        and pattern.pointers == 1
+        and not symbol.constant
+        and not symbol.reference
+    )
 
 
 def is_reference(machine: Engine, symbol: Symbol, env: ModuleValue, depth: int = 0) -> bool:

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
-from rosward.domain.slots import Overloads, Pointer, Slot
+from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
+from rosward.domain.values import NONE, Choice, Class, Const, Ref, Text, Unknown, Value
 from rosward.engine.cpp import names
 from rosward.engine.cpp.categories import class_cast_to
 from rosward.engine.cpp.enumerations import of_enumeration
@@ -23,11 +23,12 @@ from rosward.engine.cpp.types import dotted
 from rosward.engine.cpp.values import value_of
 from rosward.ir.cpp import Form
 from rosward.models.cpp.slots import read
+from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["as_wanted", "buffer", "by_operator", "cast", "decayed", "derives", "enumerator"]
+__all__ = ["as_value", "as_wanted", "buffer", "by_operator", "cast", "decayed", "decaying", "derives", "enumerator"]
 
 
 def enumerator(machine: Engine, enumeration: str, args: Sequence[Value], form: Form) -> Value:
@@ -98,6 +99,36 @@ def decayed(machine: Engine, value: Value) -> Value:
 def buffer(value: Value, held: Value) -> Value:
     """A pointer to the first character of an array that is kept as a text; anything else as it is."""
     return Pointer(Slot(value, "item", Const(0))) if isinstance(value, Slot) and _is_text(held) else held
+
+
+def as_value(machine: Engine, place: Value) -> Value:
+    """The value at a slot; where that is an array of characters, in a field or an array or of a namespace, a pointer to the first."""
+    if place.__class__ is Choice and any(_is_buffer(machine, option) for option in place.options):
+        return join_all(as_value(machine, option) for option in place.options)
+    held = read(machine, place)
+    return buffer(place, held) if _is_buffer(machine, place) else held
+
+
+def decaying(machine: Engine, args: tuple[Value, ...]) -> tuple[Value, ...]:
+    """Arguments; of an array of characters a pointer to the first."""
+    if not any(_is_buffer(machine, arg) for arg in args):
+        return args
+    return tuple(as_value(machine, arg) if _is_buffer(machine, arg) else arg for arg in args)
+
+
+def _is_buffer(machine: Engine, place: Value) -> bool:
+    """Whether a field, a variable of a namespace or an element of an array is declared as an array of characters."""
+    if place.__class__ is not Slot or place.base.__class__ is not Ref:
+        return False
+    if place.kind == "item":
+        cls = machine.obj(place.base).cls
+        inner = argument(cls, 0) if cls.__class__ is TypeOf and cls.name == "array" else NONE
+        return name_of(inner) == "array" and shape_of(inner) is Shape.TEXT
+    buffers = linked(machine).buffers
+    if place.kind != "field" or not buffers:
+        return False
+    cls = machine.obj(place.base).cls
+    return (cls.address if cls.__class__ is Class else place.base.address, place.key) in buffers
 
 
 def _is_text(value: Value) -> bool:

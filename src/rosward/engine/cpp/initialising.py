@@ -13,6 +13,7 @@ from rosward.domain.values import NONE, UNBOUND, Class, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.cpp import construct
 from rosward.engine.cpp.constructors import constructors
+from rosward.engine.cpp.converting import decaying
 from rosward.engine.cpp.handing import give_to
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.thunks import evaluate
@@ -133,7 +134,7 @@ def _fields(
         else:
             if not machine.run(init.body, frame):
                 return False
-            value = _field(machine, info, symbol, init, given(frame, init.arguments), frame)
+            value = _field(machine, info, symbol, init, decaying(machine, given(frame, init.arguments)), frame)
         if value is UNBOUND:
             return False
         if value is not None:

@@ -112,6 +112,7 @@ class Linked:
     """A program and its classes, functions and scopes; none of it depends on what the program does."""
 
     __slots__ = (
+        "buffers",
         "clashes",
         "constants",
         "constructing",
@@ -153,6 +154,7 @@ class Linked:
         self.templates: dict[str, Symbol] = {}  # templates of functions, by their code
         self.unsure: set[str] = set()  # the code of functions that the preprocessor may leave out
         self.constants: dict[tuple[str, int], Value] = {}
+        self.buffers: set[tuple[int, str]] = set()  # arrays of characters, by class or scope and name
         self.fixed: set[tuple[int, str]] = set()  # variables that are constants, by scope and name
         self.firsts: dict[
             tuple[str, int], tuple[Value, tuple[tuple[int, Obj], ...]]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.enumerated import Whole
-from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
+from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.cpp import as_type, calls, construct, endings, members, names
@@ -28,6 +28,7 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
+from rosward.models.cpp.characters import as_string, is_text
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import ASSIGN, copied, write
 from rosward.models.cpp.slots import plain_number, read
@@ -171,6 +172,8 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     value = decayed(machine, src)
     if value.__class__ is not Unknown:
         value = copied(machine, value)
+    if any(o.__class__ is Pointer or is_char_text(o) for o in options(value)) and not _holds_pointer(machine, slot):
+        value = as_string(machine, value)
     before = read(machine, slot) if value.__class__ is Pointer or value == NONE else NONE
     write(machine, slot, _as_declared(machine, slot, value) if _is_whole(value) else value)
     is_left = before.__class__ is Pointer and before != value
@@ -183,16 +186,31 @@ def _is_whole(value: Value) -> bool:
 
 def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
     """A whole number as the field or element has it in which it is kept."""
-    if not isinstance(slot, Slot) or not isinstance(slot.base, Ref):
-        return value
-    cls = machine.obj(slot.base).cls
-    if slot.kind == "field" and isinstance(cls, Class) and isinstance(slot.key, str):
-        type_ = _field_type(machine, cls, slot.key)
-    elif slot.kind == "item" and isinstance(cls, TypeOf):
-        type_ = argument(cls, 1 if machine.obj(slot.base).kind == "dict" else 0)
-    else:
+    type_ = _declared(machine, slot)
+    if type_ is None:
         return value
     return convert(machine, value, type_) if shape_of(type_) is Shape.INT else plain_number(value)
+
+
+def _declared(machine: Engine, slot: Value) -> Value | None:
+    """The type of a field or element; None for any other place."""
+    if not isinstance(slot, Slot) or not isinstance(slot.base, Ref):
+        return None
+    cls = machine.obj(slot.base).cls
+    if slot.kind == "field" and isinstance(cls, Class) and isinstance(slot.key, str):
+        return _field_type(machine, cls, slot.key)
+    if slot.kind == "item" and isinstance(cls, TypeOf):
+        return argument(cls, 1 if machine.obj(slot.base).kind == "dict" else 0)
+    return None
+
+
+def _holds_pointer(machine: Engine, slot: Value) -> bool:
+    """Whether what is assigned is kept as a pointer to characters, and not as the text from there: by the type, or what is there before."""
+    type_ = _declared(machine, slot)
+    if type_ is not None and shape_of(type_) in (Shape.POINTER, Shape.TEXT):
+        return shape_of(type_) is Shape.POINTER
+    held = options(read(machine, slot))
+    return all(o == NONE or is_char_text(o) or not (o.__class__ is Const or is_text(o)) for o in held)
 
 
 def _field_type(machine: Engine, cls: Class, key: str) -> Value:

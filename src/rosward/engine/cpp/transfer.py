@@ -27,6 +27,7 @@ from rosward.engine.cpp import (
     operators,
 )
 from rosward.engine.cpp.classes import instance_of
+from rosward.engine.cpp.converting import as_value, decaying
 from rosward.engine.cpp.packs import items_of
 from rosward.engine.cpp.types import pointee, pointer_to, type_of
 from rosward.engine.frame import Frame
@@ -139,7 +140,7 @@ def _copy(machine: Engine, op: cpp.Copy, frame: Frame) -> bool | None:
     if type_.__class__ is TypeOf:
         type_ = pointee(type_) or type_
     if type_ is NONE or type_.__class__ is TypeOf:
-        return _kept(frame, op.dst, copied(machine, value))
+        return _kept(frame, op.dst, copied(machine, as_value(machine, value)))
     held = read(machine, value)
     sliced = held.__class__ in (Ref, Choice) and as_type.is_of_another(machine, held, type_)
     return _kept(frame, op.dst, as_type.as_one(machine, held, type_) if sliced else copied(machine, held))
@@ -158,7 +159,7 @@ def _convert(machine: Engine, op: cpp.Convert, frame: Frame) -> bool | None:
 def _construct(machine: Engine, op: cpp.Construct, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     type_ = frame.registers[op.type]
-    args = given(frame, op.arguments)
+    args = decaying(machine, given(frame, op.arguments))
     frame.handed = frame.fresh
     fresh = initialising.is_fresh(frame, op.arguments, args)
     value = initialising.made(machine, type_, args, op.form, fresh=fresh)
@@ -173,7 +174,7 @@ def _initialise(machine: Engine, op: cpp.Initialise, frame: Frame) -> bool | Non
 
 def _invoke(machine: Engine, op: cpp.Invoke, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    args = given(frame, op.arguments)
+    args = decaying(machine, given(frame, op.arguments))
     frame.handed, frame.fresh = frame.fresh, UNBOUND
     value = calls.invoke(machine, frame.registers[op.func], args)
     return _result(machine, frame, op, value)
@@ -183,7 +184,7 @@ def _invoke_member(machine: Engine, op: cpp.InvokeMember, frame: Frame) -> bool 
     frame.op, frame.sequence = op, 0
     if op.name in machine.library.creating:
         machine.trace.reached.add((frame.code.key, op.number))
-    args = given(frame, op.arguments)
+    args = decaying(machine, given(frame, op.arguments))
     types = access.types_of(frame, op.types)
     scope = frame.registers[op.scope] if op.scope != ops.NO_REGISTER else None
     frame.handed, frame.fresh = frame.fresh, UNBOUND

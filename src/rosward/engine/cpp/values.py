@@ -12,7 +12,7 @@ from rosward.domain.slots import Overloads, Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Function, ModuleValue, Ref, Value
 from rosward.engine.cpp import names
-from rosward.engine.cpp.classes import bind_template, class_of, specialised
+from rosward.engine.cpp.classes import bind_template, class_of, is_text_array, specialised
 from rosward.engine.cpp.enumerations import of_enumeration
 from rosward.engine.cpp.linked import Info, linked, record
 from rosward.engine.cpp.names import Found
@@ -108,6 +108,8 @@ def variable(machine: Engine, found: Found, types: tuple[Value, ...] | None = No
     key = f"{symbol.name}@{symbol.unit}" if symbol.unit else symbol.name
     if symbol.constant:
         program.fixed.add((env.address, key))
+    elif is_text_array(symbol):
+        program.buffers.add((env.address, key))
     obj = record(machine, env.address)
     held = obj.attrs.get(key, UNBOUND)
     if held is UNBOUND or key in obj.partial:  # nobody, or not every execution up to here, has asked for it yet

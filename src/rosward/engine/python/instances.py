@@ -198,7 +198,7 @@ _PYTHON: Final[dict[str, type]] = {
 
 
 _MODELLED: Final = {"collections": collections, "types": types}
-"""Modules of Python whose classes have models that are made of others: a `UserList` is no list."""
+"""Modules of Python whose classes have models that are made of others: a `deque` is no list."""
 
 
 def _modelled(base: Value) -> type | None:

@@ -26,6 +26,7 @@ _PARAMETERS: Final = frozenset(
 _POINTERS: Final = frozenset(
     {"pointer_declarator", "abstract_pointer_declarator", "array_declarator", "abstract_array_declarator"}
 )
+_ARRAYS: Final = frozenset({"array_declarator", "abstract_array_declarator"})
 _REFERENCES: Final = frozenset({"reference_declarator", "abstract_reference_declarator"})
 _FUNCTIONS: Final = frozenset({"function_declarator", "abstract_function_declarator"})
 _VARIADIC: Final = frozenset({"variadic_declarator", "abstract_variadic_declarator"})
@@ -69,7 +70,11 @@ def declared(whole: Node, declarator: Node) -> TypePattern:
     if whole.type == "alias_declaration":
         type_ = whole.child_by_field_name("type")
         return TypePattern() if type_ is None else written(type_)
-    return pattern(whole.child_by_field_name("type"), declarator)
+    found = pattern(whole.child_by_field_name("type"), declarator)
+    here: Node | None = declarator
+    while here is not None and here.type == "init_declarator":
+        here = inner(here)
+    return found._replace(array=True) if here is not None and here.type in _ARRAYS else found
 
 
 def has_const(node: Node) -> bool:

@@ -17,6 +17,7 @@ x.~Tree<Node>();                         x.~Tree      ();
 delete [] (v);                           delete []  v ;
 v(i) = 0;                                v(i) =+0;
 void (*table[])() = {f, g};              void (*table[])()   {f, g};
+int (&row)[3] = rows[0];                 int  &row      = rows[0];
 using Ts::operator()...;                 using Ts::operator()   ;
 using std::sin, std::cos;                using std::sin;using  std::cos;
 template class Tree<Node>;               nothing: it runs nothing
@@ -61,6 +62,9 @@ _ZERO: Final = re.compile(
     r"(?<=[;{})])(\s*(?:else\s+)?\w+\s*\(\s*[\w.]+(?:\s*[-+*/,]\s*[\w.]+){0,20}\s*\)\s*=)[ \t](?=\s*0\s*;)"
 )
 _TABLE: Final = re.compile(r"(\(\s*\*\s*(?:const\s+)?\w+\s*(?:\[[^\[\]{};]{0,100}\]\s*){1,3}\)\s*\(\s*\)\s*)=(?=\s*\{)")
+_ROW: Final = re.compile(
+    r"(\b(?:auto|bool|char|short|int|long|float|double|unsigned|signed|\w+_t)\s*)\((\s*&\s*\w+\s*)\)((?:\s*\[[^\[\]{};]{0,100}\]){1,3})(?=\s*=[^=])"
+)
 _MOST: Final = 1_000
 """So long is what `decltype` names, at most."""
 
@@ -101,7 +105,7 @@ def suited(text: str) -> str:
         text = _DELETE.sub(r"\1 \2 ", text)
     if "0" in text:
         text = _ZERO.sub(r"\1+", text)
-    text = _TABLE.sub(r"\1 ", text)
+    text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", _TABLE.sub(r"\1 ", text))
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
     if "slots" in text:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.choice import lift, options
+from rosward.domain.choice import join, lift, options
 from rosward.domain.compound import External, Slice, Tuple
 from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot
@@ -20,6 +20,7 @@ from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import as_characters, convert
 from rosward.models.cpp.copies import write
 from rosward.models.cpp.formatting import printf
+from rosward.models.cpp.iterators import moved
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.string_parts import as_python
 from rosward.models.native import Machine, NativeCall, NativeFunction
@@ -44,8 +45,12 @@ def _put(machine: Machine, place: Value, text: Value) -> None:
         target = pointer.target
         begin = int_of(target.key) if isinstance(target, Slot) and isinstance(target.key, Value) else None
         if isinstance(target, Slot) and isinstance(target.base, Slot) and begin is not None:
-            before = python.load_item(machine, read(machine, target.base), Slice(NONE, Const(begin), NONE))
-            write(machine, target.base, concat((before, text)) if begin else text, weak=len(options(held)) > 1)
+            whole = read(machine, target.base)
+            if any(len(str(text_of(o))) < begin for o in options(whole) if text_of(o) is not None):
+                text = unknown_from(machine, "characters", "str", whole, text)  # behind where it ends
+            before = python.load_item(machine, whole, Slice(NONE, Const(begin), NONE))
+            text = concat((before, text)) if begin else text
+            write(machine, target.base, lift(as_characters, text), weak=len(options(held)) > 1)
         elif (
             isinstance(target, Slot)
             and isinstance(target.base, Ref)
@@ -136,14 +141,23 @@ def _strstr(call: NativeCall) -> Value:
     """strstr(text, part): the text from there on, or null."""
     machine = call.machine
 
-    def one(text: Value, part: Value) -> Value:
+    def one(where: Value, part: Value) -> Value:
+        text = _text(machine, where)
         plain, wanted = text_of(text), text_of(part)
-        if plain is None or wanted is None:
+        place = None
+        if plain is not None and wanted is not None:
+            place = plain.rfind(wanted) if call.name.endswith("strrchr") else plain.find(wanted)
+        if place is not None and place < 0:
+            return NONE
+        if isinstance(where, Pointer):
+            steps = unknown_from(machine, "strstr", "int", text, part) if place is None else Const(place)
+            return moved(machine, where, steps) if place is not None else join(moved(machine, where, steps), NONE)
+        if place is None:
             return unknown_from(machine, "strstr", "", text, part)
-        place = plain.rfind(wanted) if call.name.endswith("strrchr") else plain.find(wanted)
-        return NONE if place < 0 else Const(plain[place:], origins(text, part))
+        return Const(str(plain)[place:], origins(text, part))
 
-    return spread(one, *(_text(machine, arg) for arg in call.exactly(2)))
+    where, part = call.exactly(2)
+    return spread(one, read(machine, where), _text(machine, part))
 
 
 def _nothing(_call: NativeCall) -> Value:
@@ -156,7 +170,7 @@ _FUNCTIONS: Final[dict[str, NativeFunction]] = {
     **dict.fromkeys(("strcpy", "strncpy", "strcat", "strncat"), _strcpy),
     **dict.fromkeys(("strcmp", "strncmp", "strcasecmp", "strncasecmp"), _strcmp),
     **dict.fromkeys(("strstr", "strchr", "strrchr"), _strstr),
-    "strdup": lambda call: _text(call.machine, call.args[0]),
+    "strdup": lambda call: lift(as_characters, _text(call.machine, call.args[0])),
     "va_end": _nothing,
 }
 _LEAST_OF_C: Final = {

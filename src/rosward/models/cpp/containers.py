@@ -16,6 +16,7 @@ from rosward.domain.series import Series
 from rosward.domain.slots import Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Value
+from rosward.models.cpp.characters import text_behind
 from rosward.models.cpp.conversions import convert, default_value, owned
 from rosward.models.cpp.copies import copied, for_each, several
 from rosward.models.cpp.elements import between, series_of
@@ -26,7 +27,19 @@ from rosward.models.native import Machine, NativeCall
 from rosward.models.python.containers.lists import write_series
 from rosward.models.python.plain import int_of, unknown_from
 
-__all__ = ["cls_of", "element_from", "erased", "initial", "lost", "made_of", "nothing", "place_of", "receivers", "swap"]
+__all__ = [
+    "cls_of",
+    "element_from",
+    "erased",
+    "initial",
+    "lost",
+    "made_of",
+    "nothing",
+    "place_of",
+    "receivers",
+    "swap",
+    "texts_given",
+]
 
 _MOST: Final = 1_000
 
@@ -62,11 +75,11 @@ def made_of(machine: Machine, type_: Value, args: tuple[Value, ...], index: int 
 
 
 def place_of(machine: Machine, ref: Ref, index: Value) -> Value:
-    """The slot of an element; an object itself."""
+    """The slot of an element; an object itself, and where a reference leads (`std::tie`)."""
     index = plain_number(read(machine, index))
     slot = Slot(ref, "item", index)
     held = read(machine, slot)
-    return held if all(isinstance(option, Ref) for option in options(held)) else slot
+    return held if all(isinstance(option, (Ref, Slot)) for option in options(held)) else slot
 
 
 def cls_of(machine: Machine, ref: Ref) -> Value:
@@ -76,7 +89,7 @@ def cls_of(machine: Machine, ref: Ref) -> Value:
 
 def initial(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Series:
     """The elements that `assign`, `insert` and constructors are given: (n, value), (first, last), (list)."""
-    values = [read(machine, arg) for arg in args]
+    values = [read(machine, arg) for arg in texts_given(machine, type_, args)]
     if not values:
         return Series()
     if len(values) > 1 and leads(values[0]):
@@ -95,6 +108,13 @@ def initial(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Series:
     if len(many) == 1 and count is not None and 0 <= count <= _MOST:
         return Series(tuple(one() for _ in range(count)))
     return Series((), several(machine, one()))
+
+
+def texts_given(machine: Machine, type_: Value, args: tuple[Value, ...]) -> tuple[Value, ...]:
+    """What the constructor of a container is given; where that is one of texts, pointers to characters are no iterators but texts."""
+    if shape_of(argument(type_, 0)) is not Shape.TEXT:
+        return args
+    return tuple(text_behind(machine, read(machine, arg)) for arg in args)
 
 
 def leads(value: Value) -> bool:

@@ -21,6 +21,7 @@ from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, FALSE, NONE, UNBOUND, Choice, Class, Const, Ref, Text, Unknown, Value
 from rosward.ir.core import CharText
+from rosward.models.cpp.characters import character_of, text_in
 from rosward.models.cpp.chrono import as_duration, unit_of
 from rosward.models.cpp.copies import copied, several
 from rosward.models.cpp.number_conversions import NUMBERS
@@ -161,7 +162,7 @@ def convert(machine: Machine, value: Value, type_: Value, kind: str = "init", de
     if number is not None:
         return _unbraced(machine, value, type_, depth) if isinstance(value, Tuple) else number(machine, value, type_)
     if shape is Shape.TEXT and name_of(type_) == "array":
-        return lift(as_characters, _text(machine, value))
+        return lift(as_characters, _text(machine, _up_to_zero(machine, value) if isinstance(value, Tuple) else value))
     if shape is Shape.TEXT:
         return _text(machine, value)
     if shape in _LISTS or shape in (Shape.MAP, Shape.PAIR):
@@ -217,14 +218,6 @@ def _object(machine: Machine, value: Value, type_: Class) -> Value:
     return machine.call(type_, (value,))
 
 
-def _text_in(machine: Machine, ref: Ref, begin: int) -> Value | None:
-    """The text that stands in a container of characters, up to the first zero."""
-    found = [text_of(read(machine, item)) for item in machine.obj(ref).series().head[begin:]]
-    if "\0" not in found or None in found[: found.index("\0")]:
-        return None
-    return from_python(machine, "".join(map(str, found[: found.index("\0")])), what="string")
-
-
 def as_characters(value: Value) -> Value:
     """A text as an array of characters holds it, which is no string object."""
     return (
@@ -232,6 +225,14 @@ def as_characters(value: Value) -> Value:
         if text_of(value) is not None and isinstance(value, Const)
         else value
     )
+
+
+def _up_to_zero(machine: Machine, braces: Tuple) -> Value:
+    """The text that the characters in braces make, of an array; the braces where they are not known."""
+    found = [character_of(read(machine, item)) for item in braces.items]
+    if not found or None in found or any(len(str(each)) != 1 for each in found):
+        return braces
+    return from_python(machine, "".join(map(str, found)).partition("\0")[0], what="string")
 
 
 def _text(machine: Machine, value: Value) -> Value:
@@ -255,11 +256,15 @@ def _text(machine: Machine, value: Value) -> Value:
     if isinstance(value, Pointer) and isinstance(value.target, Slot) and isinstance(value.target.base, (Ref, Slot)):
         begin = int_of(value.target.key) if isinstance(value.target.key, Value) else None
         if isinstance(value.target.base, Ref):
-            text = None if begin is None else _text_in(machine, value.target.base, begin)
+            text = None if begin is None else text_in(machine, value.target.base, begin)
             return unknown_from(machine, "string", "str", value) if text is None else text
         whole = read(machine, value.target.base)
         if begin == 0 or (begin is not None and text_of(whole) is not None):
-            return whole if begin == 0 else from_python(machine, str(text_of(whole))[begin:], origins(whole))
+            return (
+                lift(lambda o: _text(machine, o), whole)
+                if begin == 0
+                else from_python(machine, str(text_of(whole))[begin:], origins(whole))
+            )
     return unknown_from(machine, "string", "str", value)
 
 

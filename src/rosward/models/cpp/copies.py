@@ -15,11 +15,12 @@ from rosward.domain.choice import join, join_all, lift, options
 from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
-from rosward.domain.slots import Overloads, Slot
+from rosward.domain.slots import Overloads, Slot, is_char_text
 from rosward.domain.state import join_objects
 from rosward.domain.table import marked
 from rosward.domain.unknown import NO_ORIGINS, Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
+from rosward.ir.core import CharText
 from rosward.models.cpp.captures import with_own_cells
 from rosward.models.cpp.characters import character_of
 from rosward.models.cpp.owners import give_away
@@ -150,11 +151,12 @@ def _write_character(machine: Machine, slot: Slot, value: Value, *, weak: bool) 
     def one(old: Value) -> Value:
         text = text_of(old)
         source = old.origins if isinstance(old, Const) else NO_ORIGINS
+        kind = CharText if is_char_text(old) else str
         if text is not None and char == "\0" and number is not None and 0 <= number <= len(text):
-            return Const(text[:number], source)  # an array of characters ends there
+            return Const(kind(text[:number]), source)  # an array of characters ends there
         if text is None or number is None or char is None or len(char) != 1 or not 0 <= number <= len(text):
             return unknown_from(machine, "[]", "str", old, index, value)
-        return Const(text[:number] + char + text[number + 1 :], source)
+        return Const(kind(text[:number] + char + text[number + 1 :]), source)
 
     write(machine, slot.base, lift(one, read(machine, slot.base)), weak=weak)
 

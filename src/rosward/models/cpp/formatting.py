@@ -20,6 +20,7 @@ from rosward.domain.slots import Pointer
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Text, Unknown, Value
+from rosward.models.cpp.characters import text_behind
 from rosward.models.cpp.slots import read
 from rosward.models.native import Machine, NativeCall, NativeFunction, perform
 from rosward.models.python.plain import from_python, operation, origins, spread, text_of, unknown_from
@@ -146,7 +147,7 @@ def _to_string(machine: Machine, value: Value) -> Value:
 
 def printf(machine: Machine, template: Value, args: tuple[Value, ...]) -> Value:
     """What `printf(template, args…)` writes."""
-    template, values = read(machine, template), [read(machine, arg) for arg in args]
+    template, values = text_behind(machine, read(machine, template)), [read(machine, arg) for arg in args]
     text = text_of(template)
     if text is None:
         return percent(machine, template, Tuple(tuple(values)))
@@ -161,6 +162,9 @@ def printf(machine: Machine, template: Value, args: tuple[Value, ...]) -> Value:
 
 def _for_field(machine: Machine, kind: str, value: Value) -> Value:
     """An argument as the conversion takes it."""
+
+    if kind == "s":
+        value = text_behind(machine, value)
 
     def one(option: Value) -> Value:
         if kind == "p":
@@ -187,7 +191,7 @@ def _for_field(machine: Machine, kind: str, value: Value) -> Value:
 
 def format_braces(machine: Machine, template: Value, args: tuple[Value, ...]) -> Value:
     """What `fmt::format(template, args…)` gives."""
-    template, values = read(machine, template), tuple(read(machine, arg) for arg in args)
+    template, values = read(machine, template), tuple(text_behind(machine, read(machine, arg)) for arg in args)
     text = text_of(template)
     plain = text is not None and all(_PLAIN_FIELD.fullmatch(m[0]) for m in re.finditer(r"\{[^{}]*\}", text))
     given = tuple(spread(lambda v: _for_braces(machine, v, plain=plain), value) for value in values)

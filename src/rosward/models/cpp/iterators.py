@@ -137,6 +137,8 @@ def begin(machine: Machine, base: Value) -> Value:
     if isinstance(base, Choice):
         return join_all(begin(machine, option) for option in base.options)
     held = read(machine, base)
+    if as_iterator(held) is not None:  # an array of characters
+        return held
     if isinstance(held, Ref) and machine.obj(held).kind == "dict":
         keys = keys_in_order(machine, held)
         if keys.known:
@@ -154,6 +156,9 @@ def end(machine: Machine, base: Value) -> Value:
     if isinstance(base, Choice):
         return join_all(end(machine, option) for option in base.options)
     held = read(machine, base)
+    first = as_iterator(held)
+    if first is not None:
+        return iterator(first.base, NONE)
     if isinstance(held, Choice) and not any(text_of(o) is not None for o in held.options):
         return join_all(end(machine, option) for option in held.options)
     if isinstance(held, Unknown) and held.hint != "str":
@@ -208,7 +213,9 @@ def moved(machine: Machine, value: Value, count: Value) -> Value:
     if at is None or number is None or (slot.kind == "reverse" and at < 0):
         return iterator(slot.base, unknown_from(machine, "+", "int", slot.key, count), slot.kind)
     place = at + number
-    beyond = place == size if slot.kind == "item" else place < 0
+    beyond = place < 0
+    if slot.kind == "item":  # where a text ends may be elsewhere later
+        beyond = place == size and isinstance(slot.base, Ref)
     return iterator(slot.base, NONE if beyond else Const(place), slot.kind)
 
 
@@ -323,7 +330,7 @@ def _rend(call: NativeCall) -> Value:
 def _data(call: NativeCall) -> Value:
     """A pointer to the first element, the same whether there is one or not."""
     held = read(call.machine, call.args[0])
-    if text_of(held) is not None or isinstance(held, Text):
+    if call.args[0].__class__ is not Slot and (text_of(held) is not None or isinstance(held, Text)):
         return held
     return begin(call.machine, call.args[0])
 

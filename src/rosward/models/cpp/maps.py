@@ -173,7 +173,8 @@ def _emplace(call: NativeCall) -> Value:
     """emplace(key, value), try_emplace(key, arguments…), insert_or_assign(key, value)."""
     machine, results = call.machine, []
     args = call.args[1:]
-    if args and as_iterator(read(machine, args[0])) is not None:
+    hint = as_iterator(read(machine, args[0])) if args else None
+    if hint is not None and hint.kind == "entry":
         args = args[1:]
     for ref in _maps(call):
         if len(args) == 1 and not call.name.endswith("try_emplace"):

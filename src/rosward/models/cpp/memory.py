@@ -14,11 +14,11 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join, join_all, options
-from rosward.domain.compound import External, Tuple
+from rosward.domain.compound import BoundMethod, External, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.slots import Owner, Pointer, Slot, TypeOf
-from rosward.domain.values import EMPTY, NONE, UNBOUND, Class, Const, Ref, Unknown, Value
+from rosward.domain.values import EMPTY, NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert, default_value, new_container
 from rosward.models.cpp.copies import copied, several, write
@@ -88,8 +88,11 @@ def _make_array(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Valu
 
 
 def _new(call: NativeCall) -> Value:
-    """std::shared_ptr<T>(pointer, deleter): the type comes first. What a deleter of its own does to what it leads to is not followed."""
+    """std::shared_ptr<T>(pointer, deleter): the type comes first. A deleter may be called from then on; of which type it is says nothing."""
     type_ = call.args[0]
+    deleter = read(call.machine, call.args[2]) if len(call.args) > 2 else NONE
+    if any(isinstance(o, (Function, Partial, BoundMethod)) for o in options(deleter)):
+        call.machine.schedule(deleter, (read(call.machine, call.args[1]),), "deleter")
     has_deleter = len(call.args) > 2 or (isinstance(type_, TypeOf) and len(type_.arguments) > 1)
     return owning(_new_of(call), "" if has_deleter else _owner(call.name))
 

@@ -20,6 +20,7 @@ from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
+from rosward.models.cpp.characters import text_behind
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.elements import series_of
@@ -101,7 +102,7 @@ def _stoi(call: NativeCall) -> Value:
         _tell_end(call, Const(number.end))
         return from_python(machine, number.value, origins(value), name)
 
-    return spread(one, read(machine, call.args[0]))
+    return spread(one, text_behind(machine, read(machine, call.args[0])))
 
 
 def _atoi(call: NativeCall) -> Value:
@@ -118,7 +119,7 @@ def _atoi(call: NativeCall) -> Value:
         return from_python(machine, (0 if whole else 0.0) if number is None else number.value, origins(value), name)
 
     _tell_end(call, unknown_from(machine, name, "", read(machine, call.args[0])))
-    return spread(one, read(machine, call.args[0]))
+    return spread(one, text_behind(machine, read(machine, call.args[0])))
 
 
 # Mathematics

@@ -22,12 +22,12 @@ from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.text import concat
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.models.cpp import chrono, streams
+from rosward.models.cpp.characters import beside_text, is_text, number_of
 from rosward.models.cpp.conversions import NULLOPT, is_empty_optional
 from rosward.models.cpp.iterators import as_iterator, distance, in_pairs, iterator, moved, same_place
 from rosward.models.cpp.paths import slash
 from rosward.models.cpp.slots import key_of, read
 from rosward.models.cpp.stream_input import extract
-from rosward.models.cpp.string_parts import is_text
 from rosward.models.cpp.types import Shape, name_of, shape_of
 from rosward.models.native import Machine
 from rosward.models.python.operators import operators as python
@@ -66,8 +66,10 @@ def binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
 
 @operation
 def _computed(machine: Machine, op: str, left: Value, right: Value) -> Value:
-    if op == "+" and all(is_text(o) for v in (left, right) for o in options(v)):
-        return python.binary(machine, "+", left, right)
+    if op == "+":
+        left, right = beside_text(machine, left, right)
+        if all(is_text(o) for v in (left, right) for o in options(v)):
+            return python.binary(machine, "+", left, right)
     return spread(lambda a, b: _one(machine, op, a, b), left, right)
 
 
@@ -115,7 +117,7 @@ def _of_texts(machine: Machine, op: str, left: Value, right: Value) -> Value:
         return slash(machine, left, right)
     if op == "+" and is_text(left) and is_text(right):
         return concat((left, right))
-    a, b = _number(left), _number(right)
+    a, b = number_of(left), number_of(right)
     if a is not None and b is not None:
         return _numbers(machine, op, a, b)
     if op != "+":
@@ -132,15 +134,6 @@ def _moved(machine: Machine, value: Value, other: Value) -> Value:
     if text is not None and isinstance(number, int) and 0 <= number <= len(text):
         return from_python(machine, text[number:], origins(value, other))
     return unknown_from(machine, "+", "str" if text is not None and len(text) != 1 else "", value, other)
-
-
-def _number(value: Value) -> Const | None:
-    """A number, a truth, or a character as the number that it is."""
-    if not isinstance(value, Const) or value.value is None or isinstance(value.value, bytes):
-        return None
-    if isinstance(value.value, str):
-        return Const(ord(value.value), value.origins) if len(value.value) == 1 else None
-    return value
 
 
 def _numbers(machine: Machine, op: str, left: Const, right: Const) -> Value:
@@ -217,7 +210,7 @@ def _unary(machine: Machine, op: str, value: Value) -> Value:
         return unknown_from(machine, "!", "bool", value) if decided is None else Const(not decided)
     if chrono.is_time(machine, value):
         return chrono.unary(machine, op, value)
-    number = _number(value)
+    number = number_of(value)
     if number is not None and isinstance(number.value, (bool, int, float)):
         plain = number.value
         if op == "+":
@@ -240,7 +233,8 @@ def compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
 
 @operation
 def _compared(machine: Machine, op: str, left: Value, right: Value) -> Value:
-    return join_all(spread(partial(_compare, machine, op), a, b) for a, b in in_pairs(left, right))
+    pairs = in_pairs(*beside_text(machine, left, right))
+    return join_all(spread(partial(_compare, machine, op), a, b) for a, b in pairs)
 
 
 def _compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
@@ -253,7 +247,7 @@ def _compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
             return _with_optional(machine, turned, one, other)
     if isinstance(left, (Pointer, *_CALLABLE)) or isinstance(right, (Pointer, *_CALLABLE)):
         return _pointers(machine, op, left, right)
-    a, b = _number(left), _number(right)
+    a, b = number_of(left), number_of(right)
     both_texts = is_text(left) and is_text(right)
     if a is not None and b is not None and not both_texts:
         return _compared_numbers(op, a, b)

@@ -18,7 +18,7 @@ from rosward.domain.values import NONE, Const, Ref, Text, Value
 from rosward.models.cpp import streams
 from rosward.models.cpp.containers import element_from
 from rosward.models.cpp.copies import copied, for_each, write
-from rosward.models.cpp.iterators import as_iterator, iterator, length, moved
+from rosward.models.cpp.iterators import as_iterator, iterator, length, moved, same_place
 from rosward.models.cpp.slots import key_of, read
 from rosward.models.cpp.string_parts import characters, from_characters
 from rosward.models.cpp.types import name_of
@@ -44,6 +44,8 @@ def places(machine: Machine, first: Value, last: Value) -> list[Value] | None:
     here: Value = first
     while here != last and len(found) <= MAX_ITEMS:
         slot = as_iterator(here)
+        if slot is not None and isinstance(slot.base, Slot) and same_place(machine, slot, b):
+            return found  # where a text ends, also by its number
         if (
             slot is None
             or slot.key == NONE

@@ -15,7 +15,7 @@ from rosward.domain.series import Series, concatenated
 from rosward.domain.slots import TypeOf
 from rosward.domain.values import NONE, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
-from rosward.models.cpp.containers import erased, made_of, nothing, receivers
+from rosward.models.cpp.containers import erased, made_of, nothing, receivers, texts_given
 from rosward.models.cpp.conversions import convert, new_set
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.elements import between, series_of
@@ -187,7 +187,7 @@ def _new(call: NativeCall) -> Value:
     """std::set<T>(…): the type comes first."""
     machine, type_, args = call.machine, call.args[0], call.args[1:]
     cls: Value = type_ if isinstance(type_, TypeOf) else TypeOf(name_of(type_), ())
-    values = [read(machine, arg) for arg in args]
+    values = [read(machine, arg) for arg in texts_given(machine, cls, args)]
     if values and isinstance(values[0], Unknown):
         return values[0]
     if values and isinstance(values[0], Ref) and name_of(machine.obj(values[0]).cls) == name_of(cls):

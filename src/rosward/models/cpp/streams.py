@@ -18,6 +18,7 @@ from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
+from rosward.models.cpp.characters import text_behind
 from rosward.models.cpp.formatting import Flags, shown
 from rosward.models.cpp.slots import read, read_field
 from rosward.models.cpp.types import Shape, name_of, shape_of
@@ -111,7 +112,7 @@ def insert(machine: Machine, stream: Value, value: Value) -> Value:
     several = len(options(held)) > 1
     for option in options(held):
         if isinstance(option, Ref) and is_stream(machine, option):
-            _insert(machine, option, read(machine, value), weak=several)
+            _insert(machine, option, text_behind(machine, read(machine, value)), weak=several)
     return held
 
 
@@ -194,7 +195,7 @@ def put_in(machine: Machine, ref: Ref, name: str, value: Value, *, weak: bool = 
 def _new(call: NativeCall) -> Value:
     """A stream of a type: of a text, or of a file."""
     machine, type_ = call.machine, call.args[0]
-    first = read(machine, call.args[1]) if len(call.args) > 1 else EMPTY
+    first = text_behind(machine, read(machine, call.args[1])) if len(call.args) > 1 else EMPTY
     obj = Obj("instance", External(name_of(type_)), {TEXT: EMPTY, LEFT: EMPTY})
     made = machine.allocate(obj, name_of(type_))
     if is_of_file(machine, made):

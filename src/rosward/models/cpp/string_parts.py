@@ -12,8 +12,9 @@ from typing import Final
 from rosward.domain.compound import External, Partial, Slice
 from rosward.domain.slots import Pointer, TypeOf, is_char_text
 from rosward.domain.text import concat
-from rosward.domain.values import EMPTY, NONE, Const, Text, Unknown, Value
+from rosward.domain.values import EMPTY, NONE, Const, Value
 from rosward.models.cpp import streams
+from rosward.models.cpp.characters import is_text
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.elements import between
 from rosward.models.cpp.exceptions import may_raise, raises
@@ -26,7 +27,7 @@ from rosward.models.python.strings.methods import NATIVES as PYTHON
 
 __all__ = [
     "CHAR", "MOST", "NOWHERE", "NPOS", "STRING",
-    "as_python", "characters", "from_characters", "is_text", "sliced", "substring", "text_from",
+    "as_python", "characters", "from_characters", "sliced", "substring", "text_from",
 ]  # fmt: skip
 
 NPOS: Final = 2**64 - 1
@@ -95,11 +96,6 @@ def _is_pointer(value: Value) -> bool:
 def _repeated(machine: Machine, char: Value, count: Value) -> Value:
     """A character, so many times."""
     return python.binary(machine, "*", convert(machine, char, CHAR), count)
-
-
-def is_text(value: Value) -> bool:
-    """Whether a value is a text, known or not."""
-    return isinstance(value, Text) or text_of(value) is not None or (isinstance(value, Unknown) and value.hint == "str")
 
 
 def substring(machine: Machine, text: Value, start: Value, count: Value) -> Value:

@@ -16,6 +16,7 @@ from rosward.domain.slots import Slot
 from rosward.domain.text import origins_of, parts_of
 from rosward.domain.values import Const, Text, Value
 from rosward.models.cpp.arity import with_least
+from rosward.models.cpp.characters import is_text
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.exceptions import raises
 from rosward.models.cpp.slots import read
@@ -24,7 +25,6 @@ from rosward.models.cpp.string_parts import (
     NPOS,
     STRING,
     as_python,
-    is_text,
     substring,
 )
 from rosward.models.native import NativeCall, NativeFunction

@@ -30,6 +30,7 @@ from rosward.models.cpp.containers import (
     place_of,
     receivers,
     swap,
+    texts_given,
 )
 from rosward.models.cpp.conversions import convert, default_value, is_one, new_container
 from rosward.models.cpp.copies import copied, for_each
@@ -295,6 +296,7 @@ def _new(call: NativeCall) -> Value:
     if name_of(type_) == "std.priority_queue":
         values, type_ = without_comparison(machine, [read(machine, arg) for arg in args], type_)
         args = tuple(values)
+    args = texts_given(machine, type_, args)
     words = words_of(machine, read(machine, args[0]), shape_of(argument(type_, 0)) is Shape.TEXT) if args else None
     if words is not None:
         return new_container(machine, type_, words, "new")

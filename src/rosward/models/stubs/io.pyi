@@ -18,6 +18,7 @@ class BufferedIOBase(IOBase): ...
 class TextIOBase(IOBase): ...
 
 class StringIO(TextFile):
+    _filled = True  # who gets hold of it may write to it
     mode = 'w+'
     def __init__(self, initial_value='', newline='\n'):
         super().__init__(initial_value or '', 'text in memory')

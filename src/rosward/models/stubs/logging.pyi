@@ -108,7 +108,8 @@ class LoggerAdapter(Logger):
         return msg, {**kwargs, 'extra': self.extra}
     def log(self, level, msg, *args, **kwargs):
         if self.isEnabledFor(level):
-            self.process(msg, kwargs)
+            msg, kwargs = self.process(msg, kwargs)
+            self.logger.log(level, msg, *args, **kwargs)
     def debug(self, msg, *args, **kwargs):
         self.log(DEBUG, msg, *args, **kwargs)
     def info(self, msg, *args, **kwargs):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """PyYAML: text that stands in the program is read, files are not (models/python/std/data.py)."""
 
-from _rosward import reads_only
+from _rosward import ask, native, reads_only, sink, unknown
 
 reads_only(__name__)
 
@@ -25,6 +25,32 @@ class CSafeLoader(_Loader): ...
 class CLoader(_Loader): ...
 class SafeDumper(_Dumper): ...
 class Dumper(_Dumper): ...
+
+@native
+def _dumped(data, **options): ...
+
+def _written(stream):
+    ask(stream, 'write', unknown('call', 'text that a library writes', 'str'))
+@sink("file")
+def dump(data, stream=None, *args, **kwds):
+    if stream is None:
+        return _dumped(data, *args, **kwds)
+    _written(stream)
+@sink("file")
+def safe_dump(data, stream=None, *args, **kwds):
+    if stream is None:
+        return _dumped(data, *args, **kwds)
+    _written(stream)
+@sink("file")
+def dump_all(documents, stream=None, *args, **kwds):
+    if stream is None:
+        return unknown('call', 'text of documents', 'str')
+    _written(stream)
+@sink("file")
+def safe_dump_all(documents, stream=None, *args, **kwds):
+    if stream is None:
+        return unknown('call', 'text of documents', 'str')
+    _written(stream)
 
 def add_constructor(tag, constructor, Loader=None) -> None: ...
 def add_representer(data_type, representer, Dumper=None) -> None: ...

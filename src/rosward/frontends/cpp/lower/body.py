@@ -243,8 +243,8 @@ class Body:
         if node.type == "parameter_pack_expansion":
             return Argued(self.expression(node, "slot"), "pack")
         variable = self.variable(word(node)) if node.type == "identifier" else None
-        if variable is not None and variable.constant and not variable.raw:  # who gets it may not change it
-            return Argued(self.value(node), "constant")
+        if variable is not None and (variable.constant or variable.buffer) and not variable.raw:
+            return Argued(self.value(node), "constant" if variable.constant else "value")
         kind: Literal["value", "slot", "result", "constant", "moved"] = (
             "slot" if is_lvalue(node) else kind_of_result(node) if node.type in _RESULTS else "value"
         )
@@ -280,23 +280,25 @@ class Body:
         pointer: bool = False,
         type_: bool = False,
         constant: bool = False,
+        cell: bool = False,
     ) -> Variable:
-        """A new variable in the innermost block. `type_`: a type or enumerator, which is never a place."""
+        """A new variable in the innermost block. `type_`: a type or enumerator, which is never a place. `cell`: it always is one."""
         survey = self.shared.survey
         known = self.scopes[-1].names.get(name)
         if known is not None and (known.reference, known.type, known.path) == (reference, type_, ()):
             return known  # in another branch of an `#if`
         changes = name in survey.assigned and not reference and not builtin and not pointer
-        cell = NO_REGISTER
-        register = NO_REGISTER
-        if not type_ and (name in (survey.addressed if constant else survey.placed) or (changes and not constant)):
-            cell = self.new_cell(name)
+        number = register = NO_REGISTER
+        if cell or (
+            not type_ and (name in (survey.addressed if constant else survey.placed) or (changes and not constant))
+        ):
+            number = self.new_cell(name)
         else:
             register = max(self.floor, self.free_register)
             self.free_register = register + 1
             self.floor = register + 1
             self.registers = max(self.registers, register + 1)
-        found = Variable(name, register, cell, reference=reference, builtin=builtin, type_=type_)
+        found = Variable(name, register, number, reference=reference, builtin=builtin, type_=type_)
         found.constant = constant
         self.scopes[-1].names[name] = found
         return found

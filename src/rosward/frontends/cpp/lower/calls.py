@@ -150,7 +150,8 @@ def _by_value(type_: Node, kind: Cast) -> Cast:
 
 def converted(body: Body, node: Node, src: Node, type_: int, kind: Cast) -> int:
     """What a cast makes of an expression."""
-    slot = body.slot(src)
+    variable = body.variable(word(src)) if src.type == "identifier" else None
+    slot = body.value(src) if variable is not None and variable.buffer else body.slot(src)
     dst = body.register()
     body.emit(Convert(*body.place(node), dst, slot, type_, kind))
     return dst

@@ -24,6 +24,7 @@ from rosward.frontends.cpp.lower.types import (
     declared_type,
     has,
     is_buffer,
+    is_text_array,
     type_of,
     within,
 )
@@ -115,14 +116,21 @@ def _one(
     static: bool,
     equals: bool,
 ) -> Variable:
-    reference = has(shape, REFERENCES) and not has(shape, ARRAYS)
+    reference = has(shape, REFERENCES)
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
     number = "" if points or static else builtin(type_node)
     itself = isinstance(what, Given) or what is None or what.type != "lambda_expression"  # a lambda may call itself
     constant = has_const(node) and itself and not has(shape, POINTERS | ARRAYS)
+    characters = not reference and is_text_array(type_node, shape, const=has_const(node))
     found = body.declare(
-        name, reference=reference or static, builtin=number, pointer=has(shape, POINTERS), constant=constant
+        name,
+        reference=reference or static,
+        builtin=number,
+        pointer=has(shape, POINTERS),
+        constant=constant,
+        cell=characters and not static,
     )
+    found.buffer = characters
     found.leads_to_constant = has_const(node) and has(shape, POINTERS)
     found.written = None if type_node is None or type_node.type in _AUTO else (type_node, shape)
     if static:
@@ -218,6 +226,9 @@ def _meant(body: Body, node: Node) -> Argued:
     if type_node is None:
         return Argued(body.unknown(node, "syntax"))
     if inner is None:
+        variable = body.variable(word(type_node))
+        if variable is not None and variable.buffer:
+            return Argued(body.value(type_node), "value")
         return Argued(body.slot(type_node), "slot")
     if inner.type == "abstract_array_declarator":
         return Argued(_element(body, body.slot(type_node), inner), "slot")

@@ -13,7 +13,8 @@ from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import builtin, declared_type, type_of
-from rosward.ir.cpp import AddressOf, Argued, Braces, Construct, Convert, Deref, Form, MakeType
+from rosward.ir.core import NO_REGISTER
+from rosward.ir.cpp import AddressOf, Argued, Assign, Braces, Construct, Convert, Deref, Form, MakeType
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -99,6 +100,11 @@ def _new(body: Body, node: Node, _want: Want) -> int:
         length = declarator.child_by_field_name("length")
         kind = _array(body, declarator, kind, length)
     made = construct(body, node, kind, given(body, node.child_by_field_name("arguments")))
+    where = _placed(node)
+    if where is not None:
+        place, made = body.register(), _put_there(body, node, where, made)
+        body.emit(AddressOf(*body.place(node), place, made))
+        return place
     dst = body.register()
     body.emit(AddressOf(*body.place(node), dst, made))
     if (
@@ -109,6 +115,23 @@ def _new(body: Body, node: Node, _want: Want) -> int:
         body.emit(Convert(*body.place(node), first, slot, kind, "buffer"))
         return first
     return dst
+
+
+def _placed(node: Node) -> Node | None:
+    """The pointer in `new (pointer) T(a)`; None where there is none, or nothing else leads to what it does."""
+    listed = node.child_by_field_name("placement")
+    inner = [child for child in listed.named_children if child.type != "comment"] if listed is not None else []
+    if len(inner) != 1 or inner[0].type == "call_expression" or (inner[0].text or b"").endswith(b"nothrow"):
+        return None
+    return inner[0]
+
+
+def _put_there(body: Body, node: Node, where: Node, made: int) -> int:
+    """The slot to which a pointer leads, in which a new value stands now."""
+    slot = body.register()
+    body.emit(Deref(*body.place(node), slot, body.value(where), slot=True))
+    body.emit(Assign(*body.place(node), NO_REGISTER, "=", slot, made))
+    return slot
 
 
 def _array(body: Body, node: Node, element: int, length: Node | None) -> int:

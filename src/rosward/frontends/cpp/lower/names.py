@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Final
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import type_of
+from rosward.frontends.cpp.lower.variables import Variable
 from rosward.ir.core import NO_REGISTER, CharText
-from rosward.ir.cpp import Name, Part
+from rosward.ir.cpp import Convert, Name, Part
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -42,9 +43,18 @@ def name(body: Body, node: Node, want: Want) -> int:
         if variable is None:
             return _looked_up(body, node, (Part(text),), NO_REGISTER, False, want)
         if not variable.path:
-            return body.of_variable(node, variable, want)
+            return _held(body, node, variable, want)
     written = parts_of(node)
     return body.unknown(node, "syntax") if written is None else of_parts(body, node, written, want)
+
+
+def _held(body: Body, node: Node, variable: Variable, want: Want) -> int:
+    """What is wanted of a variable; an array of characters is as a value a pointer to the first."""
+    if not variable.buffer or want in ("slot", "effect"):
+        return body.of_variable(node, variable, want)
+    slot, dst = body.of_variable(node, variable, "slot"), body.register()
+    body.emit(Convert(*body.place(node), dst, slot, body.nothing(), "buffer"))
+    return dst
 
 
 def of_parts(body: Body, node: Node, written: Written, want: Want, *, designator: bool = False) -> int:

@@ -178,7 +178,7 @@ def _returned(body: Body, node: Node, value: Node) -> int:
         kind = declared_type(body, returns.type, returns.declarator, result=True)
         body.emit(Convert(*body.place(node), dst, src, kind, "value"))
         return dst
-    src = body.slot(value)
+    src = body.value(value) if variable is not None and variable.buffer else body.slot(value)
     kind = declared_type(body, returns.type, returns.declarator, result=True)
     if has(returns.declarator, POINTERS):  # to an array that stays where it is
         body.emit(Convert(*body.place(node), dst, src, kind, "init"))

@@ -122,6 +122,19 @@ def is_buffer(node: Node | None, declarator: Node | None, *, const: bool, array:
     )
 
 
+def is_text_array(node: Node | None, declarator: Node | None, *, const: bool) -> bool:
+    """Whether something is declared as `char x[n]`, which is kept as a text that may change."""
+    if const or builtin(node) != "char":
+        return False
+    here, arrays = declarator, 0
+    for _ in range(DECLARATORS):
+        if here is None or here.type in POINTERS | FUNCTIONS | REFERENCES:
+            break
+        arrays += here.type in ARRAYS
+        here = within(here)
+    return here is None and arrays == 1
+
+
 def has(declarator: Node | None, kinds: frozenset[str]) -> bool:
     """Whether a declarator adds one of these to the type."""
     here = declarator

@@ -18,13 +18,15 @@ class Variable:
     """A local variable: in a register, or in a cell where something may refer to it.
 
     `reference`: it holds a slot. `constant`: it is never assigned to, whoever gets it. `leads_to_constant`: a pointer, through which nothing
-    is changed. `builtin`: the arithmetic type that it has. `raw`: a
-    type, a constant of a template or a pack, which is taken as it is; `pack` tells the last, `type` a type or constant. `path`: it is no
-    variable at all, but another name for that (`using std::string;`, `namespace fs = std::filesystem;`), with '' first where that begins
-    with `::`. `written` is the type that it is declared with, and what its declarator adds. `members` are the enumerators of an enum.
+    is changed. `builtin`: the arithmetic type that it has. `buffer`: an array of characters, which is kept as a text, and as a value a pointer
+    to the first of them. `raw`: a type, a constant of a template or a pack, which is taken as it is; `pack` tells the last, `type` a type or
+    constant. `path`: it is no variable at all, but another name for that (`using std::string;`, `namespace fs = std::filesystem;`), with ''
+    first where that begins with `::`. `written` is the type that it is declared with, and what its declarator adds. `members` are the
+    enumerators of an enum.
     """
 
     __slots__ = (
+        "buffer",
         "builtin",
         "cell",
         "constant",
@@ -58,6 +60,7 @@ class Variable:
         self.cell = cell
         self.reference = reference
         self.builtin = builtin
+        self.buffer = False
         self.constant = False
         self.leads_to_constant = False
         self.written: tuple[Node, Node | None] | None = None

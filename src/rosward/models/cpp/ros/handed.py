@@ -13,6 +13,7 @@ from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Unknown, Value
+from rosward.models.cpp.characters import text_behind
 from rosward.models.cpp.slots import read
 from rosward.models.native import NativeCall
 
@@ -26,7 +27,7 @@ NOTHING: Final = "rosward.nothing"
 
 def given(call: NativeCall, index: int, default: Value = NONE) -> Value:
     """The value of an argument; that of a variable where it is one."""
-    return read(call.machine, call.args[index]) if index < len(call.args) else default
+    return text_behind(call.machine, read(call.machine, call.args[index])) if index < len(call.args) else default
 
 
 def types_of(call: NativeCall) -> tuple[Value, ...]:

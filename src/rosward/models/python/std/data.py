@@ -150,7 +150,7 @@ def _hooked(call: NativeCall) -> bool:
 
 
 def _dumps(call: NativeCall) -> Value:
-    """json.dumps / yaml.dump of what is known; else an unknown text. Written to a file: None."""
+    """json.dumps / yaml.dump of what is known; else an unknown text."""
     if _hooked(call):
         return unknown_from(call, "str", call.args)
     try:
@@ -186,6 +186,5 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "yaml.unsafe_load": _reader(_yaml, "stream"),
     "yaml.safe_load_all": _all_documents,
     "yaml.load_all": _all_documents,
-    "yaml.safe_dump": _dumps,
-    "yaml.dump": _dumps,
+    "yaml._dumped": _dumps,
 }

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`collections`: over lists and dicts of the program."""
 import sys
-from _rosward import contents, either, native, reads_only, unknown
-from collections.abc import MutableMapping
+from _rosward import either, native, reads_only, unknown
+from collections.abc import MutableMapping, MutableSequence, Sequence
 
 def _writes_as_dict(instance):
     return type(instance).__setitem__ is dict.__setitem__
@@ -350,13 +350,157 @@ class deque:
         self.extend(other)
         return self
 
-class UserList(list):
+def _data(value):
+    return value.data if isinstance(value, (UserList, UserString)) else value
+
+class UserList(MutableSequence):
     def __init__(self, initlist=None):
-        super().__init__(() if initlist is None else initlist)
-    @property
-    def data(self):
-        return contents(self)
-    @data.setter
-    def data(self, value):
-        self[:] = value
-UserString = str
+        self.data = []
+        if initlist is not None:
+            self.data = list(_data(initlist))
+    def __repr__(self):
+        return repr(self.data)
+    def __eq__(self, other):
+        return self.data == _data(other)
+    def __lt__(self, other):
+        return self.data < _data(other)
+    def __le__(self, other):
+        return self.data <= _data(other)
+    def __gt__(self, other):
+        return self.data > _data(other)
+    def __ge__(self, other):
+        return self.data >= _data(other)
+    def __contains__(self, item):
+        return item in self.data
+    def __len__(self):
+        return len(self.data)
+    def __iter__(self):
+        if type(self).__getitem__ is UserList.__getitem__:
+            return iter(self.data)
+        return MutableSequence.__iter__(self)
+    def __getitem__(self, i):
+        return type(self)(self.data[i]) if isinstance(i, slice) else self.data[i]
+    def __setitem__(self, i, item):
+        self.data[i] = item
+    def __delitem__(self, i):
+        del self.data[i]
+    def __add__(self, other):
+        return type(self)(self.data + list(_data(other)))
+    def __radd__(self, other):
+        return type(self)(list(_data(other)) + self.data)
+    def __iadd__(self, other):
+        self.data += _data(other)
+        return self
+    def __mul__(self, n):
+        return type(self)(self.data * n)
+    __rmul__ = __mul__
+    def __imul__(self, n):
+        self.data *= n
+        return self
+    def append(self, item):
+        self.data.append(item)
+    def insert(self, i, item):
+        self.data.insert(i, item)
+    def pop(self, i=-1):
+        return self.data.pop(i)
+    def remove(self, item):
+        self.data.remove(item)
+    def clear(self):
+        self.data.clear()
+    def copy(self):
+        return type(self)(self)
+    def count(self, item):
+        return self.data.count(item)
+    def index(self, item, *args):
+        return self.data.index(item, *args)
+    def reverse(self):
+        self.data.reverse()
+    def sort(self, /, *args, **kwds):
+        self.data.sort(*args, **kwds)
+    def extend(self, other):
+        self.data.extend(_data(other))
+
+class UserString(Sequence):
+    def __init__(self, seq):
+        self.data = str(_data(seq))
+    def __str__(self):
+        return self.data
+    def __repr__(self):
+        return repr(self.data)
+    def __hash__(self):
+        return hash(self.data)
+    def __int__(self):
+        return int(self.data)
+    def __float__(self):
+        return float(self.data)
+    def __eq__(self, other):
+        return self.data == _data(other)
+    def __lt__(self, other):
+        return self.data < _data(other)
+    def __contains__(self, part):
+        return _data(part) in self.data
+    def __len__(self):
+        return len(self.data)
+    def __iter__(self):
+        return map(type(self), self.data)
+    def __getitem__(self, i):
+        return type(self)(self.data[i])
+    def __add__(self, other):
+        return type(self)(self.data + str(_data(other)))
+    def __radd__(self, other):
+        return type(self)(str(_data(other)) + self.data)
+    def __mul__(self, n):
+        return type(self)(self.data * n)
+    __rmul__ = __mul__
+    def __mod__(self, args):
+        return type(self)(self.data % args)
+    def format(self, /, *args, **kwds):
+        return self.data.format(*args, **kwds)
+    def encode(self, encoding='utf-8', errors='strict'):
+        return self.data.encode(encoding, errors)
+    def join(self, seq):
+        return self.data.join(seq)
+    def split(self, sep=None, maxsplit=-1):
+        return self.data.split(sep, maxsplit)
+    def rsplit(self, sep=None, maxsplit=-1):
+        return self.data.rsplit(sep, maxsplit)
+    def splitlines(self, keepends=False):
+        return self.data.splitlines(keepends)
+    def partition(self, sep):
+        return self.data.partition(sep)
+    def rpartition(self, sep):
+        return self.data.rpartition(sep)
+    def startswith(self, prefix, start=0, end=sys.maxsize):
+        return self.data.startswith(prefix, start, end)
+    def endswith(self, suffix, start=0, end=sys.maxsize):
+        return self.data.endswith(suffix, start, end)
+    def find(self, sub, start=0, end=sys.maxsize):
+        return self.data.find(_data(sub), start, end)
+    def index(self, sub, start=0, end=sys.maxsize):
+        return self.data.index(_data(sub), start, end)
+    def count(self, sub, start=0, end=sys.maxsize):
+        return self.data.count(_data(sub), start, end)
+    def isdigit(self):
+        return self.data.isdigit()
+    def isalpha(self):
+        return self.data.isalpha()
+    def isidentifier(self):
+        return self.data.isidentifier()
+    def replace(self, old, new, maxsplit=-1):
+        return type(self)(self.data.replace(_data(old), _data(new), maxsplit))
+    def lower(self):
+        return type(self)(self.data.lower())
+    def upper(self):
+        return type(self)(self.data.upper())
+    def title(self):
+        return type(self)(self.data.title())
+    def capitalize(self):
+        return type(self)(self.data.capitalize())
+    def strip(self, chars=None):
+        return type(self)(self.data.strip(chars))
+    def lstrip(self, chars=None):
+        return type(self)(self.data.lstrip(chars))
+    def rstrip(self, chars=None):
+        return type(self)(self.data.rstrip(chars))
+    def zfill(self, width):
+        return type(self)(self.data.zfill(width))
