@@ -101,7 +101,7 @@ def _join_attrs(
     """The attributes that cover both, and the names that only one of them has."""
     result, one_sided = left, []
     for name, ours, theirs in differing(left, right):
-        if ours is None or theirs is None:
+        if ours is None or theirs is None or ours is UNBOUND or theirs is UNBOUND:
             one_sided.append(name)
         if theirs is None:
             continue

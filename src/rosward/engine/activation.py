@@ -55,8 +55,9 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
     if remembered is not None:
         if machine.watch is not None:
             machine.watch.again(machine, key)
-        value, level, asked_for = remembered
+        value, level, asked_for, wrote = remembered
         machine.asked_for |= asked_for
+        machine.summaries.wrote |= wrote
         if level:
             note(machine, level)
         return value
@@ -69,6 +70,7 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
         if machine.watch is not None:
             machine.watch.recalled(machine, code, context)
         return recalled.repeated(machine, code.key, found)
+    outer_wrote, machine.summaries.wrote = machine.summaries.wrote, set()
     call = None if place is None else recalled.begun(machine)
     raised, version, provisional = machine.raised, machine.state.version, machine.summaries.provisional
     noted, machine.noted = machine.noted, 0
@@ -87,13 +89,15 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
             recalled.closed(machine, call)
         asked_for, machine.asked_for = machine.asked_for, outer
         outer |= asked_for
+        wrote, machine.summaries.wrote = machine.summaries.wrote, outer_wrote
+        outer_wrote |= wrote
         if importing:
             machine.catchers[-1].importing = True
     quiet = (
         machine.state.version == version and machine.raised == raised and machine.summaries.provisional == provisional
     )
     if quiet and value is not UNBOUND and not declared.is_model(function):
-        machine.summaries.memo[key] = (value, level, asked_for)
+        machine.summaries.memo[key] = (value, level, asked_for, wrote)
         if machine.watch is not None:
             machine.watch.remember(key, code, context)
     return value

@@ -212,6 +212,7 @@ class Interpreter(Answers):
         if old.many:
             joined = join_objects(old, obj, join)
             if joined is old:
+                self.summaries.wrote.add(ref.address)
                 if self.watch is not None:
                     self.watch.wrote(ref.address)
                 return

@@ -203,8 +203,8 @@ class Summaries:
 
     def __init__(self) -> None:
         self.memo: dict[
-            object, tuple[Value, int, set[int]]
-        ] = {}  # results, what Python may raise, and what was asked for
+            object, tuple[Value, int, set[int], set[int]]
+        ] = {}  # results, what Python may raise, what was asked for and what was written
         self.calls: dict[object, tuple[Call, ...]] = {}  # what calls did, by place (`recalled.py`)
         self.small: set[str] = set()  # the code bodies, by their keys, of which calls are not worth to be remembered
         self.vain: dict[str, int] = {}  # by code body, how many calls were remembered in vain

@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import Descriptor, Native, Partial
+from rosward.domain.table import marked
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.python import members
 from rosward.models.python.attribute_tables import remove_from_table
 
 if TYPE_CHECKING:
+    from rosward.domain.heap import Obj
     from rosward.engine.machine import Engine
 
 
@@ -52,9 +54,14 @@ def remove(machine: Engine, target: Value, name: str) -> None:
         record = machine.at(target.address)
         if target.__class__ is Ref and remove_from_table(machine, record, name):
             return
-        if name in record.attrs and not record.many:
-            machine.put(target.address, record.with_attr(name, UNBOUND))
+        if name in record.attrs:
+            machine.put(target.address, _without(record, name))
     elif target.__class__ is Function:
         kept = machine.function_record(target)
-        if kept is not None and name in kept.attrs and not kept.many:
-            machine.put(machine.library.function_address(target), kept.with_attr(name, UNBOUND))
+        if kept is not None and name in kept.attrs:
+            machine.put(machine.library.function_address(target), _without(kept, name))
+
+
+def _without(record: Obj, name: str) -> Obj:
+    """Of several objects one has it no more."""
+    return record.replace(partial=marked(record.partial, name)) if record.many else record.with_attr(name, UNBOUND)
