@@ -16,6 +16,7 @@ from __future__ import annotations
 import ast
 from typing import Final
 
+from rosward.domain.choice import lift, lift2
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Tuple
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
@@ -119,52 +120,67 @@ def _value(machine: Machine, module: ModuleValue, tree: ast.expr) -> Value:
 
 def _shapes(call: NativeCall) -> Value:
     """_fields.shapes(cls): the shape of each annotation in the body of this class, by name, in order."""
-    machine, cls = call.machine, call.args[0]
-    if not isinstance(cls, Class) or cls.stub:
-        return machine.new_dict({})
-    module = machine.obj(class_obj(cls)).attrs.get(WRITTEN_IN)
-    texts = annotations_of(machine, cls)
-    if not isinstance(module, ModuleValue):
-        return machine.new_dict({Const(name): _OTHER for name in texts})
-    return machine.new_dict({Const(n): _shape(machine, module, parsed(t), 0) for n, t in texts.items()})
+    machine = call.machine
+
+    def one(cls: Value) -> Value:
+        if not isinstance(cls, Class) or cls.stub:
+            return machine.new_dict({})
+        module = machine.obj(class_obj(cls)).attrs.get(WRITTEN_IN)
+        texts = annotations_of(machine, cls)
+        if not isinstance(module, ModuleValue):
+            return machine.new_dict({Const(name): _OTHER for name in texts})
+        return machine.new_dict({Const(n): _shape(machine, module, parsed(t), 0) for n, t in texts.items()})
+
+    return lift(one, call.args[0])
 
 
 def _bound(call: NativeCall) -> Value:
     """_fields.bound(function, cls, instance): what a name of a class body gives on an object, or on the class where that is None."""
     function, cls, instance = call.exactly(3)
-    on_class = instance == NONE
-    if isinstance(function, Descriptor):
-        if function.kind == "staticmethod":
-            return function.getter
-        if function.kind == "classmethod":
-            return BoundMethod(cls, function.getter)
-        return call.machine.call(function.getter, (instance,))
-    if isinstance(function, Function):
-        return BoundMethod(cls if on_class else instance, function)
-    return function
+
+    def one(option: Value, owner: Value) -> Value:
+        if isinstance(option, Descriptor):
+            if option.kind == "staticmethod":
+                return option.getter
+            if option.kind == "classmethod":
+                return BoundMethod(cls, option.getter)
+            return call.machine.call(option.getter, (owner,))
+        if isinstance(option, Function):
+            return BoundMethod(cls if owner == NONE else owner, option)
+        return option
+
+    return lift2(one, function, instance)
 
 
 def _room(call: NativeCall) -> Value:
     """_fields.room(function): how many arguments a function takes by position, without the one it is bound to; -1: any number."""
-    function, bound = call.args[0], 0
-    while isinstance(function, (BoundMethod, Descriptor)):
-        bound += isinstance(function, BoundMethod)
-        function = function.function if isinstance(function, BoundMethod) else function.getter
-    if not isinstance(function, Function):
-        return Const(1)
-    given = function.code.parameters
-    return Const(-1 if given.vararg is not None else len(given.positional) - bound)
+
+    def one(function: Value) -> Value:
+        bound = 0
+        while isinstance(function, (BoundMethod, Descriptor)):
+            bound += isinstance(function, BoundMethod)
+            function = function.function if isinstance(function, BoundMethod) else function.getter
+        if not isinstance(function, Function):
+            return Const(1)
+        given = function.code.parameters
+        return Const(-1 if given.vararg is not None else len(given.positional) - bound)
+
+    return lift(one, call.args[0])
 
 
 def _names(call: NativeCall) -> Value:
     """_fields.body(cls): what stands in the body of a class, by name, as it is kept."""
-    machine, cls = call.machine, call.args[0]
-    if not isinstance(cls, Class) or cls.stub:
-        return machine.new_dict({})
-    attrs = machine.obj(class_obj(cls)).attrs
-    return machine.new_dict(
-        {Const(n): v for n, v in attrs.items() if v is not UNBOUND and not n.startswith("_rosward")}
-    )
+    machine = call.machine
+
+    def one(cls: Value) -> Value:
+        if not isinstance(cls, Class) or cls.stub:
+            return machine.new_dict({})
+        attrs = machine.obj(class_obj(cls)).attrs
+        return machine.new_dict(
+            {Const(n): v for n, v in attrs.items() if v is not UNBOUND and not n.startswith("_rosward")}
+        )
+
+    return lift(one, call.args[0])
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
