@@ -16,9 +16,9 @@ from __future__ import annotations
 import ast
 from typing import Final
 
-from rosward.domain.choice import lift, lift2
+from rosward.domain.choice import join_all, lift, lift2, options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Tuple
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.annotations import WRITTEN_IN, alias_of, named, parsed
 from rosward.models.python.std.records import annotations_of
@@ -183,9 +183,21 @@ def _names(call: NativeCall) -> Value:
     return lift(one, call.args[0])
 
 
+def _opaque(call: NativeCall) -> Value:
+    """_fields.opaque(value): whether nothing is known of a value."""
+    return lift(lambda option: Const(isinstance(option, Unknown)), call.args[0])
+
+
+def _known(call: NativeCall) -> Value:
+    """_fields.known(value): what is known of a value that may be another one."""
+    return join_all(option for option in options(call.args[0]) if not isinstance(option, Unknown))
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "_fields.shapes": _shapes,
     "_fields.bound": _bound,
     "_fields.room": _room,
     "_fields.body": _names,
+    "_fields.opaque": _opaque,
+    "_fields.known": _known,
 }

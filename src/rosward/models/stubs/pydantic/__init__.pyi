@@ -3,7 +3,7 @@
 
 Read from pydantic 2.14 and 1.10. What a type that is not modelled here makes of a value (dates, addresses, constrained texts) is unknown.
 """
-from _fields import body, bound, room, shapes
+from _fields import body, bound, known, opaque, room, shapes
 from _rosward import either, reads_only, unknown
 import copy
 import enum
@@ -138,6 +138,11 @@ def _asked(function, value, info):
 
 def _take(shape, value, config):
     """What becomes of a value by its annotation."""
+    if opaque(value):
+        if unknown('call', 'whether pydantic takes a value', 'bool'):
+            raise ValidationError('refused')
+        return _any(shape, value, 0)
+    value = known(value)
     kind = shape[0]
     if kind == 'class':
         return _as(shape[1], value, config)
@@ -172,6 +177,50 @@ def _take(shape, value, config):
             raise ValidationError('no dict')
         return {_take(shape[1], key, config): _take(shape[2], item, config) for key, item in value.items()}
     return value
+
+_DEEPEST = 4
+
+def _any(shape, value, depth):
+    """What may become of a value of which nothing is known: so that it is not followed on each way through the models."""
+    kind = shape[0]
+    if depth > _DEEPEST:
+        return value
+    if kind == 'with':
+        return _any(shape[1], value, depth)
+    if kind == 'union':
+        found = _any(shape[1], value, depth)
+        for part in shape[2:]:
+            found = either(found, _any(part, value, depth))
+        return found
+    if kind == 'none':
+        return None
+    if kind == 'list' and len(shape) > 1:
+        inside = _any(shape[1], value, depth + 1)
+        return [inside for _ in unknown('call', 'what pydantic is given', 'list')]
+    if kind == 'dict' and len(shape) > 2:
+        inside = _any(shape[2], value, depth + 1)
+        return {_any(shape[1], value, depth + 1): inside for _ in unknown('call', 'what pydantic is given', 'list')}
+    if kind == 'class' and shape[1] is str:
+        return str(value)
+    if kind == 'class' and isinstance(shape[1], type) and issubclass(shape[1], BaseModel):
+        return _any_model(shape[1], value, depth)
+    if kind == 'class' and isinstance(shape[1], type) and issubclass(shape[1], enum.Enum):
+        return shape[1](value)
+    return value
+
+def _any_model(cls, value, depth):
+    made = cls.__new__(cls)
+    fields = _fields(cls)
+    for name, info in fields.items():
+        default = info.made({})
+        given = _any(info.shape, value, depth + 1)
+        object.__setattr__(made, name, given if default is _MISSING else either(default, given))
+    object.__setattr__(made, 'model_extra', unknown('call', 'what pydantic is given', 'dict'))
+    object.__setattr__(made, 'model_fields_set', unknown('call', 'what pydantic is given', 'set'))
+    _private(made, cls)
+    made.model_post_init(None)
+    _finish(made, cls, made.__dict__)
+    return made
 
 _TRUE = ('true', '1', 'yes', 'on', 't', 'y')
 _FALSE = ('false', '0', 'no', 'off', 'f', 'n')
@@ -370,6 +419,10 @@ def _fill(self, data, given=None):
     object.__setattr__(self, 'model_fields_set', seen)
     _private(self, cls)
     self.model_post_init(None)
+    _finish(self, cls, values)
+
+def _finish(self, cls, values):
+    """What the program's functions for the whole model do behind that."""
     for hook in _hooks(cls, 'model'):
         if hook.mode == 'after':
             if hook.old:
@@ -448,6 +501,9 @@ class BaseModel:
         return type(self) is type(other) and self.model_dump() == other.model_dump()
     @classmethod
     def model_validate(cls, obj, **kwargs):
+        if opaque(obj):
+            return _take(('class', cls), obj, {})
+        obj = known(obj)
         if isinstance(obj, cls):
             return obj
         config = _config(cls)
