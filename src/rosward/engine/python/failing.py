@@ -343,8 +343,6 @@ def _native(machine: Engine, name: str, arguments: list[Value]) -> bool:
     head, _, method = name.rpartition(".")
     if head == "generator" or (method == "next" and _is_generator(machine, arguments)):
         return False  # what it raises is followed
-    if head == "_fields":
-        return False  # a question of a stub, which no program asks
     if (
         head in _EVALUATED
         and (method in _NUMBERS or head not in ("", "builtins"))

@@ -159,6 +159,8 @@ class RawConfigParser:
             self._known[section] = {}
         self._known[section][self.optionxform(option)] = value
     def add_section(self, section):
+        if section in self._known and not self._open:
+            raise DuplicateSectionError(section)
         self._known[section] = {}
     def has_section(self, section):
         return section in self._known and section != self.default_section or (unknown('file', section, 'bool') if self._open else False)

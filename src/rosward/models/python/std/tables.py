@@ -66,6 +66,7 @@ def _sections(call: NativeCall) -> Value:
         parser = configparser.RawConfigParser(
             strict=False, allow_no_value=isinstance(allows, Const) and allows.value is True
         )
+        parser.optionxform = str  # type: ignore[assignment,method-assign]  # the stub asks that of the program
         try:
             parser.read_string(plain)
         except configparser.Error:

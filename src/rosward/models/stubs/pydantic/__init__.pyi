@@ -52,7 +52,6 @@ class Extra:
     ignore = 'ignore'
     forbid = 'forbid'
 
-AnyUrl = HttpUrl = IPvAnyAddress = object
 FilePath = DirectoryPath = NewPath = pathlib.Path
 PositiveInt = NegativeInt = NonNegativeInt = NonPositiveInt = StrictInt = int
 PositiveFloat = NegativeFloat = NonNegativeFloat = NonPositiveFloat = FiniteFloat = StrictFloat = float
@@ -131,12 +130,16 @@ def _asked(function, value, info):
 
 def _take(shape, value, config):
     """What becomes of a value by its annotation."""
+    kind = shape[0]
+    if kind == 'any':
+        return value
+    if kind == 'other':
+        return either(value, unknown('call', 'what pydantic makes of a value'))
     if opaque(value):
-        if unknown('call', 'whether pydantic takes a value', 'bool'):
+        if not _fits(shape, value) and unknown('call', 'whether pydantic takes a value', 'bool'):
             raise ValidationError('refused')
         return _any(shape, value, 0)
     value = known(value)
-    kind = shape[0]
     if kind == 'class':
         return _as(shape[1], value, config)
     if kind == 'none':
@@ -151,8 +154,6 @@ def _take(shape, value, config):
         if value not in shape[1:]:
             raise ValidationError('none of the values')
         return value
-    if kind == 'other':
-        return either(value, unknown('call', 'what pydantic makes of a value'))
     if kind == 'final' and len(shape) > 1:
         return _take(shape[1], value, config)
     if kind == 'list of tuple':
@@ -239,9 +240,12 @@ def _as(cls, value, config):
         if not isinstance(value, (str, int, float)):
             raise ValidationError('no number')
         try:
-            return cls(value)
+            number = cls(value) if isinstance(value, int) else float(value)
         except ValueError:
             raise ValidationError('no number')
+        if cls is int and number != int(number):
+            raise ValidationError('no whole number')
+        return cls(number)
     if cls is list or cls is tuple or cls is set:
         return cls(value)
     if cls is dict or cls is object or not isinstance(cls, type):
@@ -408,6 +412,7 @@ def _fill(self, data, given=None):
     if config.get('extra') == 'allow':
         for name, value in extra.items():
             object.__setattr__(self, name, value)
+            seen.add(name)
     object.__setattr__(self, 'model_extra', extra if config.get('extra') == 'allow' else None)
     object.__setattr__(self, 'model_fields_set', seen)
     _private(self, cls)
@@ -490,6 +495,8 @@ class BaseModel:
     def __iter__(self):
         for name in type(self).model_fields:
             yield (name, getattr(self, name))
+        for name, value in (self.model_extra or {}).items():
+            yield (name, value)
     def __eq__(self, other):
         return type(self) is type(other) and self.model_dump() == other.model_dump()
     @classmethod
