@@ -239,8 +239,10 @@ def _as(cls, value, config):
     if cls is int or cls is float:
         if not isinstance(value, (str, int, float)):
             raise ValidationError('no number')
+        if isinstance(value, cls):
+            return cls(value)
         try:
-            number = cls(value) if isinstance(value, int) else float(value)
+            number = float(value)
         except ValueError:
             raise ValidationError('no number')
         if cls is int and number != int(number):
