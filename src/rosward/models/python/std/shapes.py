@@ -190,7 +190,8 @@ def _opaque(call: NativeCall) -> Value:
 
 def _known(call: NativeCall) -> Value:
     """_fields.known(value): what is known of a value that may be another one."""
-    return join_all(option for option in options(call.args[0]) if not isinstance(option, Unknown))
+    found = [option for option in options(call.args[0]) if not isinstance(option, Unknown)]
+    return join_all(found) if found else call.args[0]
 
 
 def _marked(call: NativeCall) -> Value:
