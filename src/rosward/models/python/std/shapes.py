@@ -18,7 +18,7 @@ from typing import Final
 
 from rosward.domain.choice import join_all, lift, lift2, options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Tuple
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.annotations import WRITTEN_IN, alias_of, named, parsed
 from rosward.models.python.std.records import annotations_of
@@ -194,31 +194,11 @@ def _known(call: NativeCall) -> Value:
     return join_all(found) if found else call.args[0]
 
 
-def _marked(call: NativeCall) -> Value:
-    """_fields.marked(cls, mark, kind): the objects of the class `mark` with this `kind` in the bodies of a class and its bases."""
-    machine, (given, mark, kind) = call.machine, call.exactly(3)
-
-    def is_one(value: Value) -> bool:
-        obj = machine.obj(value) if isinstance(value, Ref) else None
-        return obj is not None and obj.cls == mark and kind in options(obj.attrs.get("kind", NONE))
-
-    def one(cls: Value) -> Value:
-        found: dict[str, list[Value]] = {}
-        for base in reversed(cls.mro) if isinstance(cls, Class) else ():
-            if isinstance(base, Class) and not base.stub:
-                for name, value in machine.obj(class_obj(base)).attrs.items():
-                    found[name] = [option for option in options(value) if is_one(option)]
-        return machine.new_list(tuple(each for several in found.values() for each in several))
-
-    return lift(one, given)
-
-
 NATIVES: Final[dict[str, NativeFunction]] = {
     "_fields.shapes": _shapes,
     "_fields.bound": _bound,
     "_fields.room": _room,
     "_fields.body": _names,
     "_fields.opaque": _opaque,
-    "_fields.marked": _marked,
     "_fields.known": _known,
 }

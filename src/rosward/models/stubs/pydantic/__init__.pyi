@@ -3,7 +3,7 @@
 
 Read from pydantic 2.14 and 1.10. What a type that is not modelled here makes of a value (dates, addresses, constrained texts) is unknown.
 """
-from _fields import body, bound, known, marked, opaque, room, shapes
+from _fields import body, bound, known, opaque, room, shapes
 from _rosward import either, reads_only, unknown
 import copy
 import enum
@@ -122,7 +122,14 @@ def _fields(cls):
 
 def _hooks(cls, kind):
     """The decorated functions of a model."""
-    return marked(cls, _Marked, kind)
+    found = {}
+    for base in _order(cls):
+        for name, written in body(base).items():
+            if isinstance(written, _Marked) and written.kind == kind:
+                found[name] = (written, base)
+            elif name in found:
+                found.pop(name)
+    return [written for written, _ in found.values()]
 
 def _asked(function, value, info):
     """A validator is given what it has room for."""
