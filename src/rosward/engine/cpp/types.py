@@ -18,6 +18,7 @@ from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Va
 from rosward.engine.cpp.linked import linked
 from rosward.ir.arithmetic import LONG
 from rosward.ir.symbols import TypePattern
+from rosward.models.cpp.characters import is_text
 from rosward.models.cpp.slots import read
 from rosward.models.ros.interfaces import message_name
 
@@ -115,6 +116,8 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
         if isinstance(obj.cls, TypeOf) and not obj.cls.arguments and depth < _DEPTH:
             return _of_parts(machine, obj, obj.cls.name, depth + 1)
         return TypeOf("std.vector", ()) if isinstance(obj.cls, Native) else obj.cls
+    if isinstance(value, Pointer) and _is_in_text(machine, value.target):
+        return _CHARACTERS
     if isinstance(value, Pointer):
         return pointer_to(type_of(machine, value.target, depth + 1)) if depth < _DEPTH else value
     if isinstance(value, (Function, BoundMethod, Partial, Overloads)):
@@ -124,6 +127,13 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
     if isinstance(value, Unknown):
         return _OF_HINT.get(value.hint, value)
     return value
+
+
+def _is_in_text(machine: Engine, place: Value) -> bool:
+    """Whether a place is that of a character in a text."""
+    if not isinstance(place, Slot) or place.kind != "item" or not isinstance(place.base, Slot):
+        return False
+    return all(map(is_text, options(read(machine, place.base))))
 
 
 def _of_parts(machine: Engine, obj: Obj, name: str, depth: int) -> Value:

@@ -20,6 +20,7 @@ from rosward.domain.series import Series
 from rosward.domain.slots import Owner, Pointer, Slot, TypeOf
 from rosward.domain.values import EMPTY, NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
+from rosward.models.cpp.characters import as_kept
 from rosward.models.cpp.conversions import convert, default_value, new_container
 from rosward.models.cpp.copies import copied, several, write
 from rosward.models.cpp.iterators import as_iterator
@@ -233,17 +234,24 @@ def _exchange(call: NativeCall) -> Value:
     """std::exchange(slot, value): what was there before."""
     machine = call.machine
     old = copied(machine, call.args[0])
-    write(machine, call.args[0], copied(machine, call.args[1]))
+    write(machine, call.args[0], as_kept(machine, call.args[0], copied(machine, call.args[1])))
     return old
 
 
 def _swap_values(call: NativeCall) -> Value:
     """std::swap(a, b)."""
     machine = call.machine
-    ours, theirs = (copied(machine, arg) for arg in call.exactly(2))
-    write(machine, call.args[0], theirs)
-    write(machine, call.args[1], ours)
+    places = [_array_of(arg) for arg in call.exactly(2)]
+    values = [copied(machine, each) for each in places]
+    for each, value in zip(places, reversed(values), strict=True):
+        write(machine, each, value)
     return NONE
+
+
+def _array_of(value: Value) -> Value:
+    """The place of an array of characters, which comes as a pointer to the first; any other place as it is."""
+    target = value.target if isinstance(value, Pointer) else None
+    return target.base if isinstance(target, Slot) and isinstance(target.base, Slot) else value
 
 
 _POINTER: Final[dict[str, NativeFunction]] = {
