@@ -91,7 +91,7 @@ class Convert(Op):
         dst: int,
         src: int,
         type_: int,
-        kind: Literal["init", "value", "static", "dynamic", "const", "buffer", "wrapped", "size"],
+        kind: Literal["init", "value", "static", "dynamic", "const", "buffer", "wrapped", "size", "placed"],
     ) -> None:
         super().__init__(line, column)
         self.dst = dst

@@ -158,8 +158,8 @@ def emit(machine: Machine, out: Value, series: Series) -> Value:
     if not series.exact:
         behind = unknown_from(machine, "copy", "int", series.middle)
         for value in (*series.head, *(() if series.middle is None else (series.middle,)), *series.tail):
-            target = Slot(slot.base, slot.kind, behind)
-            write(machine, target, as_kept(machine, target, copied(machine, value)), weak=True)
+            somewhere = Slot(slot.base, slot.kind, behind)
+            write(machine, somewhere, as_kept(machine, somewhere, copied(machine, value)), weak=True)
         return iterator(slot.base, behind)
     size = length(machine, slot.base)
     start = size if slot.key == NONE else int_of(slot.key) if isinstance(slot.key, Value) else None
