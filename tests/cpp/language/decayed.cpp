@@ -105,6 +105,14 @@ char a[16] = "x1"; std::vector<std::pair<std::string, int>> v; v.push_back(std::
 }
 }
 
+namespace d443
+{
+static void run()
+{
+char a[16] = "x1"; std::tuple<std::string, int> t; t = std::make_tuple(a, 1); std::pair<std::string, int> p; p = {a, 3}; std::pair<std::string, int> q{"z", 1}; std::swap(p, q); a[0] = 'y'; show(std::string("d443_") + (std::get<0>(t))); show(std::string("d443_") + (p.first + "p")); show(std::string("d443_") + (q.first + "q"));
+}
+}
+
 namespace d51
 {
 std::string f(int) {return "int";} std::string f(const std::string & s) {return s;}
@@ -236,6 +244,7 @@ static void run()
   d434::run();
   d435::run();
   d436::run();
+  d443::run();
   d51::run();
   d52::run();
   d53::run();

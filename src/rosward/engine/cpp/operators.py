@@ -292,6 +292,8 @@ def _object(machine: Engine, ref: Ref, src: Value) -> Value:
             value = as_type.convert(machine, value, cls, "init")
             if isinstance(value, Tuple):
                 value = construct.make(machine, cls, (value,), "brace-copy")
+    elif shape_of(cls) is Shape.PAIR:
+        value = convert(machine, value, cls)
     if value is UNBOUND:
         return UNBOUND
     write(machine, ref, value)

@@ -91,9 +91,10 @@ def _assign_tuple(call: NativeCall) -> Value:
         given = parts(machine, read(machine, call.args[1]), len(series.head), slots=False)
         kept: list[Value] = []
         for held, value in zip(series.head, given, strict=True):
+            own = as_kept(machine, held, copied(machine, value))
             if isinstance(held, (Slot, Ref)):
-                write(machine, held, as_kept(machine, held, copied(machine, value)))
-            kept.append(held if isinstance(held, (Slot, Ref)) else copied(machine, value))
+                write(machine, held, own)
+            kept.append(held if isinstance(held, (Slot, Ref)) else own)
         if isinstance(option, Ref) and series.exact:
             write_series(machine, option, Series(tuple(kept)))
     return call.args[0]
