@@ -19,7 +19,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.memory import Heap
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.text import common, concat, make, matches
-from rosward.domain.values import NONE, UNBOUND, Choice, Const, Hole, Text, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 
 # Join
 
@@ -148,6 +148,18 @@ def _mark(value: Value) -> Value:
 
 def _pair(left: Value, right: Value) -> Value:
     return Tuple((left, right))
+
+
+def test_objects_stay_where_texts_beside_them_are_too_many() -> None:
+    """Else each turn of a recursion over nested data would find them anew."""
+    objects = [Ref(number) for number in range(13)]
+    parts = [join_all(Const(f"text {n}") for n in range(63)), join_all(objects), join_all(map(Const, "abcdef"))]
+    value: Value = UNBOUND
+    for _ in range(3):
+        for part in parts:
+            value = widen(value, part, LOOP)
+    assert set(objects) < set(options(value))
+    assert all(widen(value, part, LOOP) == value for part in parts)
 
 
 @given(values)

@@ -28,6 +28,8 @@ _NOWHERE: Final = Place("", 0)
 _BEHAVIOUR: Final = "functions"
 _APART: Final = frozenset((Ref, Pointer, Slot, Function, Class, BoundMethod, Partial, External))
 """Values that joins leave as they are: they are the same as another, or stand beside it."""
+_PLAIN: Final = frozenset((Const, Text, Tuple))
+"""Of too many alternatives these are given up first."""
 _FINITE: Final = frozenset((Ref, Function, Class))
 """Of these a program has finitely many: widenings leave them as they are."""
 
@@ -122,13 +124,16 @@ def _merged(values: Iterable[Value]) -> dict[Value, None]:
 
 
 def _bounded(values: tuple[Value, ...]) -> Value:
-    """Many alternatives: numbers, of which names are seldom made, are given up sooner than texts and objects."""
+    """Many alternatives: numbers, of which names are seldom made, are given up sooner than texts, and these sooner than objects."""
     numbers = [v for v in values if v.__class__ is Const and v.value.__class__ in (int, float)]
     if len(numbers) > MAX_NUMBERS:
         rest = [v for v in values if not (v.__class__ is Const and v.value.__class__ in (int, float))]
         return join_all([*rest, generalise(tuple(numbers))])
     if len(values) <= MAX_OPTIONS:
         return Choice(values)
+    plain = tuple([v for v in values if v.__class__ in _PLAIN])
+    if plain and len(values) - len(plain) < MAX_OPTIONS and any(v.__class__ is Ref for v in values):
+        return join_all([*(v for v in values if v.__class__ not in _PLAIN), generalise(plain)])
     callables = [v for v in values if _acts(v)]
     others = tuple([v for v in values if not _acts(v)])
     if not callables or len(callables) > MAX_CALLABLES:

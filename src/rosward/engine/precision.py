@@ -99,7 +99,8 @@ class Precision:
         """Something takes as long as this many steps; raises where there are fewer left."""
         self.steps += steps
         if self.steps - self._repeated > self.step_limit:
-            raise LimitReachedError(f"more than {self.step_limit} steps", where.place)
+            most = self.budget.entry_steps if self._in_callbacks else self.budget.steps
+            raise LimitReachedError(f"more than {most} steps", where.place)
 
     def check_time(self, where: Execution) -> None:
         """Raise where the process has used up its time."""
