@@ -250,10 +250,9 @@ def fit(machine: Engine, value: Value, type_: Value) -> int:
     target = pointee(type_)
     if isinstance(type_, Unknown) or name == "auto":
         return _TEMPLATE
-    if isinstance(value, Pointer) and type_of(machine, value) == CHARACTERS:
-        return _characters(machine, value, type_, name, target)
     if isinstance(value, Pointer) or value == Const(None):
-        return _pointer(machine, value, target, name)
+        is_text = value != Const(None) and type_of(machine, value) == CHARACTERS
+        return _characters(machine, value, type_, name, target) if is_text else _pointer(machine, value, target, name)
     if isinstance(value, _CALLABLES):
         return _callable(machine, type_, name)
     if isinstance(value, (Const, Text, Unknown)):

@@ -371,21 +371,13 @@ def _of_object(machine: Machine, value: Ref, type_: Value, shape: Shape, depth: 
 
 def _with_texts(machine: Machine, value: Ref, type_: TypeOf) -> tuple[Ref, Obj]:
     """A pair or tuple as one that has strings where another has pointers to characters: `std::make_pair(name, 1)`."""
-    obj = machine.obj(value)
-    is_pair = obj.kind == "instance"
-    items = (read_field(machine, value, "first"), read_field(machine, value, "second")) if is_pair else obj.items
-    if items is None or len(items) != len(type_.arguments):
+    obj, types = machine.obj(value), type_.arguments
+    pair = obj.kind == "instance"
+    items = tuple(read_field(machine, value, name) for name in ("first", "second")) if pair else obj.items or ()
+    made = tuple(as_string(machine, o) if shape_of(t) is Shape.TEXT else o for o, t in zip(items, types, strict=False))
+    if len(items) != len(types) or all(new is old for new, old in zip(made, items, strict=True)):
         return value, obj
-    made = [
-        as_string(machine, o) if shape_of(t) is Shape.TEXT else o for o, t in zip(items, type_.arguments, strict=True)
-    ]
-    if all(new is old for new, old in zip(made, items, strict=True)):
-        return value, obj
-    fresh = (
-        new_pair(machine, made[0], made[1], type_.arguments)
-        if is_pair
-        else new_container(machine, type_, Series(tuple(made)))
-    )
+    fresh = new_pair(machine, made[0], made[1], types) if pair else new_container(machine, type_, Series(made))
     return fresh, machine.obj(fresh)
 
 
