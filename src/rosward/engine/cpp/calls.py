@@ -129,6 +129,10 @@ def _of_several(
     return one(chosen[0]) if len(chosen) == 1 else each_apart(machine, list(chosen), one)
 
 
+_NESTED: Final = 4
+"""So deep are types followed that templates are made of."""
+
+
 def _of_arguments(machine: Engine, several: Overloads, args: Arguments) -> list[Function]:
     """The functions of that name in the namespaces of the arguments, where none of those that were found takes them."""
     first = several.functions[0] if several.functions else None
@@ -287,17 +291,23 @@ def _by_arguments(machine: Engine, name: str, args: Arguments) -> Value | None:
 
 
 def _namespaces(machine: Engine, args: Arguments) -> Iterator[tuple[str, ...]]:
-    program = linked(machine)
+    """The namespaces of arguments, of their bases, and of what templates are made of: of M for a `std::vector<M>`."""
     for arg in args:
         for option in options(read(machine, arg)):
-            target = option.target if isinstance(option, Pointer) else option
-            cls = type_of(machine, target)
-            for each in cls.mro if isinstance(cls, Class) else ():
-                info = program.info(each)
-                if info is not None:
-                    yield info.symbol.scope
-            if not isinstance(cls, Class) and "." in dotted(cls):
-                yield tuple(dotted(cls).split(".")[:-1])
+            yield from _namespaces_of(
+                machine, type_of(machine, option.target if isinstance(option, Pointer) else option)
+            )
+
+
+def _namespaces_of(machine: Engine, type_: Value, depth: int = 0) -> Iterator[tuple[str, ...]]:
+    for each in type_.mro if isinstance(type_, Class) else ():
+        info = linked(machine).info(each)
+        if info is not None:
+            yield info.symbol.scope
+    if not isinstance(type_, Class) and "." in dotted(type_):
+        yield tuple(dotted(type_).split(".")[:-1])
+    for inner in type_.arguments if isinstance(type_, TypeOf) and depth < _NESTED else ():
+        yield from _namespaces_of(machine, inner, depth + 1)
 
 
 def unknown_call(machine: Engine, function: Value, args: Arguments, types: Arguments = ()) -> Value:

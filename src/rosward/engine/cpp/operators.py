@@ -180,6 +180,21 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     return UNBOUND if is_left and not endings.end(machine, before) else slot
 
 
+_BYTES: Final = frozenset({"char", "unsigned char", "std.byte", "uint8_t", "std.uint8_t"})
+
+
+def put_in(machine: Engine, slot: Value, made: Value) -> Value:
+    """The place in which `new (pointer) T(a)` puts an object: what stands there becomes it. In memory of bytes it is an object apart."""
+    return made if all(_is_byte(machine, option) for option in options(slot)) else assign(machine, "=", slot, made)
+
+
+def _is_byte(machine: Engine, place: Value) -> bool:
+    """Whether a place is one of an array of characters or bytes."""
+    if not isinstance(place, Slot) or place.kind != "item":
+        return False
+    return not isinstance(place.base, Ref) or name_of(argument(machine.obj(place.base).cls, 0)) in _BYTES
+
+
 def _is_whole(value: Value) -> bool:
     return value.__class__ is Const and value.value.__class__ in (int, Whole)
 
@@ -277,6 +292,8 @@ def _object(machine: Engine, ref: Ref, src: Value) -> Value:
             value = as_type.convert(machine, value, cls, "init")
             if isinstance(value, Tuple):
                 value = construct.make(machine, cls, (value,), "brace-copy")
+    elif shape_of(cls) is Shape.PAIR:
+        value = convert(machine, value, cls)
     if value is UNBOUND:
         return UNBOUND
     write(machine, ref, value)

@@ -22,7 +22,7 @@ from rosward.engine.cpp.enumerations import enumeration_of
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
-from rosward.engine.cpp.types import STRING, dotted, is_pointer_pattern, pointee, type_of
+from rosward.engine.cpp.types import CHARACTERS, STRING, dotted, is_pointer_pattern, pointee, type_of
 from rosward.ir.arithmetic import INT, LONG, SMALL, same_type
 from rosward.ir.symbols import ParameterSymbol, Signature
 from rosward.models.cpp.number_conversions import OCTETS
@@ -251,7 +251,8 @@ def fit(machine: Engine, value: Value, type_: Value) -> int:
     if isinstance(type_, Unknown) or name == "auto":
         return _TEMPLATE
     if isinstance(value, Pointer) or value == Const(None):
-        return _pointer(machine, value, target, name)
+        is_text = value != Const(None) and type_of(machine, value) == CHARACTERS
+        return _characters(machine, value, type_, name, target) if is_text else _pointer(machine, value, target, name)
     if isinstance(value, _CALLABLES):
         return _callable(machine, type_, name)
     if isinstance(value, (Const, Text, Unknown)):

@@ -152,6 +152,8 @@ def _convert(machine: Engine, op: cpp.Convert, frame: Frame) -> bool | None:
     if value is UNBOUND:
         frame.registers[op.dst] = value
         return None
+    if op.kind == "placed":
+        return _kept(frame, op.dst, operators.put_in(machine, frame.registers[op.type], value))
     frame.cast[op.dst] = frame.registers[op.type]
     return _kept(frame, op.dst, as_type.convert(machine, value, frame.registers[op.type], op.kind))
 

@@ -18,13 +18,16 @@ from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Va
 from rosward.engine.cpp.linked import linked
 from rosward.ir.arithmetic import LONG
 from rosward.ir.symbols import TypePattern
+from rosward.models.cpp.characters import is_text
 from rosward.models.cpp.slots import read
+from rosward.models.cpp.types import argument, name_of
 from rosward.models.ros.interfaces import message_name
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 __all__ = [
+    "CHARACTERS",
     "POINTERS",
     "STRING",
     "dotted",
@@ -54,7 +57,7 @@ _OF_PLAIN: Final[dict[type, Value]] = {
     type(None): TypeOf("nullptr", ()),
 }
 _LONG: Final = TypeOf(LONG, ())
-_CHARACTERS: Final = TypeOf("pointer", (TypeOf("char", ()),))
+CHARACTERS: Final = TypeOf("pointer", (TypeOf("char", ()),))
 _OF_HINT: Final[dict[str, Value]] = {
     "str": STRING, "int": TypeOf("int", ()), "float": TypeOf("double", ()), "bool": TypeOf("bool", ()),
 }  # fmt: skip
@@ -102,7 +105,7 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
         if isinstance(value.value, Enumerated):
             return External(value.value.enumeration)
         if is_char_text(value):
-            return _CHARACTERS
+            return CHARACTERS
         if isinstance(value.value, Whole):
             return TypeOf(value.value.named, ())
         if value.value.__class__ is int and 2**31 <= value.value < 2**32:
@@ -115,6 +118,8 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
         if isinstance(obj.cls, TypeOf) and not obj.cls.arguments and depth < _DEPTH:
             return _of_parts(machine, obj, obj.cls.name, depth + 1)
         return TypeOf("std.vector", ()) if isinstance(obj.cls, Native) else obj.cls
+    if isinstance(value, Pointer) and _is_in_text(machine, value.target):
+        return CHARACTERS
     if isinstance(value, Pointer):
         return pointer_to(type_of(machine, value.target, depth + 1)) if depth < _DEPTH else value
     if isinstance(value, (Function, BoundMethod, Partial, Overloads)):
@@ -124,6 +129,15 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
     if isinstance(value, Unknown):
         return _OF_HINT.get(value.hint, value)
     return value
+
+
+def _is_in_text(machine: Engine, place: Value) -> bool:
+    """Whether a place is that of a character, in a text or in a container of characters."""
+    if not isinstance(place, Slot) or place.kind != "item":
+        return False
+    if isinstance(place.base, Ref):
+        return name_of(argument(machine.obj(place.base).cls, 0)) == "char"
+    return all(map(is_text, options(read(machine, place.base))))
 
 
 def _of_parts(machine: Engine, obj: Obj, name: str, depth: int) -> Value:

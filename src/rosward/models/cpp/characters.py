@@ -10,7 +10,7 @@ from rosward.models.cpp.slots import read
 from rosward.models.native import Machine
 from rosward.models.python.plain import from_python, int_of, origins, text_of, unknown_from
 
-__all__ = ["as_string", "beside_text", "character_of", "is_text", "number_of", "text_behind", "text_in"]
+__all__ = ["as_kept", "as_string", "beside_text", "character_of", "is_text", "number_of", "text_behind", "text_in"]
 
 
 def character_of(value: Value) -> str | None:
@@ -57,6 +57,14 @@ def as_string(machine: Machine, value: Value) -> Value:
         )
 
     return lift(one, text_behind(machine, value))
+
+
+def as_kept(machine: Machine, place: Value, value: Value) -> Value:
+    """A value as a place keeps it: where a string is, characters that a pointer leads to become one."""
+    if not any(option.__class__ is Pointer for option in options(value)):
+        return value
+    held = options(read(machine, place))
+    return as_string(machine, value) if all(is_text(o) and not is_char_text(o) for o in held) else value
 
 
 def beside_text(machine: Machine, left: Value, right: Value) -> tuple[Value, Value]:

@@ -17,6 +17,7 @@ from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
+from rosward.models.cpp.characters import as_kept
 from rosward.models.cpp.containers import element_from, made_of, place_of
 from rosward.models.cpp.conversions import NULLOPT, convert, default_value, is_empty_optional, new_container
 from rosward.models.cpp.copies import copied, write
@@ -90,9 +91,10 @@ def _assign_tuple(call: NativeCall) -> Value:
         given = parts(machine, read(machine, call.args[1]), len(series.head), slots=False)
         kept: list[Value] = []
         for held, value in zip(series.head, given, strict=True):
+            own = as_kept(machine, held, copied(machine, value))
             if isinstance(held, (Slot, Ref)):
-                write(machine, held, copied(machine, value))
-            kept.append(held if isinstance(held, (Slot, Ref)) else copied(machine, value))
+                write(machine, held, own)
+            kept.append(held if isinstance(held, (Slot, Ref)) else own)
         if isinstance(option, Ref) and series.exact:
             write_series(machine, option, Series(tuple(kept)))
     return call.args[0]

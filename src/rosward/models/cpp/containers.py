@@ -13,7 +13,7 @@ from typing import Final
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Tuple
 from rosward.domain.series import Series
-from rosward.domain.slots import Slot
+from rosward.domain.slots import Pointer, Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.cpp.characters import text_behind
@@ -28,6 +28,7 @@ from rosward.models.python.containers.lists import write_series
 from rosward.models.python.plain import int_of, unknown_from
 
 __all__ = [
+    "are_pointers",
     "cls_of",
     "element_from",
     "erased",
@@ -99,7 +100,7 @@ def initial(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Series:
         refers = shape_of(argument(type_, 0)) is Shape.REFERENCE
         return for_each(machine, series_of(machine, first, slots=refers), lambda v: element_from(machine, type_, v))
     many = [int_of(option) for option in options(first)]
-    fill = args[1] if len(args) > 1 else None
+    fill = values[1] if len(values) > 1 else None
 
     def one() -> Value:
         return default_value(machine, argument(type_, 0)) if fill is None else element_from(machine, type_, fill)
@@ -120,6 +121,15 @@ def texts_given(machine: Machine, type_: Value, args: tuple[Value, ...]) -> tupl
 def leads(value: Value) -> bool:
     """Whether a value is an iterator, of one container or of one of several."""
     return any(as_iterator(option) is not None for option in options(value))
+
+
+def are_pointers(machine: Machine, type_: Value, value: Value) -> bool:
+    """Whether what leads to an element is one itself, of a container of pointers: `std::vector<const char *>{name, name + 1}`."""
+    if shape_of(argument(type_, 0)) is not Shape.POINTER:
+        return False
+    slots = [as_iterator(option) for option in options(read(machine, value))]
+    held = [NONE if slot is None or slot.key == NONE else read(machine, slot) for slot in slots]
+    return not any(option == NONE or isinstance(option, Pointer) for each in held for option in options(each))
 
 
 def erased(machine: Machine, ref: Ref, first: Value, last: Value | None) -> Value:

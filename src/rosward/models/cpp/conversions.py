@@ -21,7 +21,7 @@ from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, FALSE, NONE, UNBOUND, Choice, Class, Const, Ref, Text, Unknown, Value
 from rosward.ir.core import CharText
-from rosward.models.cpp.characters import character_of, text_in
+from rosward.models.cpp.characters import as_string, character_of, text_in
 from rosward.models.cpp.chrono import as_duration, unit_of
 from rosward.models.cpp.copies import copied, several
 from rosward.models.cpp.number_conversions import NUMBERS
@@ -359,12 +359,26 @@ def _of_object(machine: Machine, value: Ref, type_: Value, shape: Shape, depth: 
     if shape is Shape.TUPLE and obj.kind == "instance":
         pair = Tuple((read_field(machine, value, "first"), read_field(machine, value, "second")))
         return _container(machine, pair, type_, shape, depth)
+    if isinstance(type_, TypeOf) and shape in (Shape.PAIR, Shape.TUPLE) and obj.cls != type_:
+        value, obj = _with_texts(machine, value, type_)
     if isinstance(type_, TypeOf) and obj.kind in ("list", "dict") and obj.cls != type_:
         if shape is Shape.SET and obj.kind == "list" and name_of(obj.cls) != name_of(type_):
             series = obj.series().mapped(lambda item: key_of(machine, item))
             return new_set(machine, type_, series, value)
         machine.update(value, obj.replace(cls=type_))
     return value
+
+
+def _with_texts(machine: Machine, value: Ref, type_: TypeOf) -> tuple[Ref, Obj]:
+    """A pair or tuple as one that has strings where another has pointers to characters: `std::make_pair(name, 1)`."""
+    obj, types = machine.obj(value), type_.arguments
+    pair = obj.kind == "instance"
+    items = tuple(read_field(machine, value, name) for name in ("first", "second")) if pair else obj.items or ()
+    made = tuple(as_string(machine, o) if shape_of(t) is Shape.TEXT else o for o, t in zip(items, types, strict=False))
+    if len(items) != len(types) or all(new is old for new, old in zip(made, items, strict=True)):
+        return value, obj
+    fresh = new_pair(machine, made[0], made[1], types) if pair else new_container(machine, type_, Series(made))
+    return fresh, machine.obj(fresh)
 
 
 def is_empty_optional(machine: Machine, value: Value) -> bool | None:

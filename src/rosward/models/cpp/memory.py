@@ -17,16 +17,17 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import BoundMethod, External, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
-from rosward.domain.slots import Owner, Pointer, Slot, TypeOf
+from rosward.domain.slots import Overloads, Owner, Pointer, Slot, TypeOf
 from rosward.domain.values import EMPTY, NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
+from rosward.models.cpp.characters import as_kept
 from rosward.models.cpp.conversions import convert, default_value, new_container
 from rosward.models.cpp.copies import copied, several, write
 from rosward.models.cpp.iterators import as_iterator
 from rosward.models.cpp.owners import give_away, owning
 from rosward.models.cpp.ranges import place, places
 from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import Shape, name_of, shape_of
+from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import int_of, unknown_from
 
@@ -90,11 +91,25 @@ def _make_array(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Valu
 def _new(call: NativeCall) -> Value:
     """std::shared_ptr<T>(pointer, deleter): the type comes first. A deleter may be called from then on; of which type it is says nothing."""
     type_ = call.args[0]
-    deleter = read(call.machine, call.args[2]) if len(call.args) > 2 else NONE
-    if any(isinstance(o, (Function, Partial, BoundMethod)) for o in options(deleter)):
-        call.machine.schedule(deleter, (read(call.machine, call.args[1]),), "deleter")
+    if len(call.args) > 2:
+        _deleted_by(call.machine, call.args[2], call.args[1])
+    elif len(call.args) > 1 and isinstance(argument(type_, 1), Class):
+        _deleted_by(call.machine, call.machine.call(argument(type_, 1), ()), call.args[1])
     has_deleter = len(call.args) > 2 or (isinstance(type_, TypeOf) and len(type_.arguments) > 1)
     return owning(_new_of(call), "" if has_deleter else _owner(call.name))
+
+
+def _deleted_by(machine: Machine, deleter: Value, pointer: Value) -> None:
+    """A pointer is given something to delete what it leads to: it may be called from then on."""
+    held = read(machine, deleter)
+    if any(
+        isinstance(o, (Function, Overloads, Partial, BoundMethod)) or _is_of_a_class(machine, o) for o in options(held)
+    ):
+        machine.schedule(held, (read(machine, pointer),), "deleter")
+
+
+def _is_of_a_class(machine: Machine, value: Value) -> bool:
+    return isinstance(value, Ref) and isinstance(machine.obj(value).cls, Class)
 
 
 def _new_of(call: NativeCall) -> Value:
@@ -117,6 +132,8 @@ def _get(call: NativeCall) -> Value:
 
 
 def _reset(call: NativeCall) -> Value:
+    if len(call.args) > 2:
+        _deleted_by(call.machine, call.args[2], call.args[1])
     given = read(call.machine, call.args[1]) if len(call.args) > 1 else NONE
     held = {o.owner for o in options(read(call.machine, call.args[0])) if isinstance(o, Pointer)}
     write(call.machine, call.args[0], owning(given, held.pop() if len(held) == 1 and len(call.args) < 3 else ""))
@@ -233,17 +250,24 @@ def _exchange(call: NativeCall) -> Value:
     """std::exchange(slot, value): what was there before."""
     machine = call.machine
     old = copied(machine, call.args[0])
-    write(machine, call.args[0], copied(machine, call.args[1]))
+    write(machine, call.args[0], as_kept(machine, call.args[0], copied(machine, call.args[1])))
     return old
 
 
 def _swap_values(call: NativeCall) -> Value:
     """std::swap(a, b)."""
     machine = call.machine
-    ours, theirs = (copied(machine, arg) for arg in call.exactly(2))
-    write(machine, call.args[0], theirs)
-    write(machine, call.args[1], ours)
+    places = [_array_of(arg) for arg in call.exactly(2)]
+    values = [copied(machine, each) for each in places]
+    for each, value in zip(places, reversed(values), strict=True):
+        write(machine, each, value)
     return NONE
+
+
+def _array_of(value: Value) -> Value:
+    """The place of an array of characters, which comes as a pointer to the first; any other place as it is."""
+    target = value.target if isinstance(value, Pointer) else None
+    return target.base if isinstance(target, Slot) and isinstance(target.base, Slot) else value
 
 
 _POINTER: Final[dict[str, NativeFunction]] = {

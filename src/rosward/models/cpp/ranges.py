@@ -16,12 +16,13 @@ from rosward.domain.series import Series, concatenated
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import NONE, Const, Ref, Text, Value
 from rosward.models.cpp import streams
+from rosward.models.cpp.characters import as_kept
 from rosward.models.cpp.containers import element_from
 from rosward.models.cpp.copies import copied, for_each, write
 from rosward.models.cpp.iterators import as_iterator, iterator, length, moved, same_place
 from rosward.models.cpp.slots import key_of, read
 from rosward.models.cpp.string_parts import characters, from_characters
-from rosward.models.cpp.types import name_of
+from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.lists import write_series
@@ -115,7 +116,8 @@ def rewrite(machine: Machine, first: Value, last: Value, series: Series) -> None
         a, b, series = _forward(machine, b), _forward(machine, a), series.reversed()
     span = _span(machine, a, b)
     if isinstance(a.base, Ref) and machine.obj(a.base).kind in ("list", "set"):
-        old = machine.obj(a.base).series()
+        old, cls = machine.obj(a.base).series(), machine.obj(a.base).cls
+        series = series.mapped(lambda v: element_from(machine, cls, v)) if _of_strings(cls) else series
         if span is not None and old.exact and series.exact:
             start, stop = span
             write_series(machine, a.base, concatenated((Series(old.head[:start]), series, Series(old.head[stop:]))))
@@ -135,6 +137,12 @@ def rewrite(machine: Machine, first: Value, last: Value, series: Series) -> None
         write(machine, a.base, unknown_from(machine, "range", "str", read(machine, a.base), series.element()))
 
 
+def _of_strings(type_: Value) -> bool:
+    """Whether a container is one of strings."""
+    inner = argument(type_, 0)
+    return shape_of(inner) is Shape.TEXT and name_of(inner) != "array"
+
+
 # Output
 
 
@@ -150,7 +158,8 @@ def emit(machine: Machine, out: Value, series: Series) -> Value:
     if not series.exact:
         behind = unknown_from(machine, "copy", "int", series.middle)
         for value in (*series.head, *(() if series.middle is None else (series.middle,)), *series.tail):
-            write(machine, Slot(slot.base, slot.kind, behind), copied(machine, value), weak=True)
+            somewhere = Slot(slot.base, slot.kind, behind)
+            write(machine, somewhere, as_kept(machine, somewhere, copied(machine, value)), weak=True)
         return iterator(slot.base, behind)
     size = length(machine, slot.base)
     start = size if slot.key == NONE else int_of(slot.key) if isinstance(slot.key, Value) else None
@@ -161,7 +170,7 @@ def emit(machine: Machine, out: Value, series: Series) -> Value:
     for number, value in enumerate(series.head):
         target = as_iterator(moved(machine, out, Const(number)))
         if target is not None:
-            write(machine, target, copied(machine, value))
+            write(machine, target, as_kept(machine, target, copied(machine, value)))
     return moved(machine, out, Const(len(series.head)))
 
 

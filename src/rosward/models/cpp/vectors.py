@@ -19,6 +19,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.containers import (
+    are_pointers,
     cls_of,
     element_from,
     erased,
@@ -310,7 +311,7 @@ def _new(call: NativeCall) -> Value:
             return first
         if all(_is_whole(machine, type_, option) for option in options(first)):
             return convert(machine, copied(machine, first), type_)
-    if braced and args and not leads(read(machine, args[0])):
+    if braced and args and (not leads(read(machine, args[0])) or are_pointers(machine, type_, args[0])):
         return convert(machine, Tuple(tuple(args)), type_)
     if shape_of(type_) in (Shape.ARRAY, Shape.TUPLE) and args:
         return convert(machine, Tuple(tuple(args)), type_)

@@ -13,8 +13,7 @@ from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import builtin, declared_type, type_of
-from rosward.ir.core import NO_REGISTER
-from rosward.ir.cpp import AddressOf, Argued, Assign, Braces, Construct, Convert, Deref, Form, MakeType
+from rosward.ir.cpp import AddressOf, Argued, Braces, Construct, Convert, Deref, Form, MakeType
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -130,8 +129,9 @@ def _put_there(body: Body, node: Node, where: Node, made: int) -> int:
     """The slot to which a pointer leads, in which a new value stands now."""
     slot = body.register()
     body.emit(Deref(*body.place(node), slot, body.value(where), slot=True))
-    body.emit(Assign(*body.place(node), NO_REGISTER, "=", slot, made))
-    return slot
+    put = body.register()
+    body.emit(Convert(*body.place(node), put, made, slot, "placed"))
+    return put
 
 
 def _array(body: Body, node: Node, element: int, length: Node | None) -> int:
