@@ -194,6 +194,12 @@ def _known(call: NativeCall) -> Value:
     return join_all(found) if found else call.args[0]
 
 
+def _unknown_of(call: NativeCall) -> Value:
+    """_fields.unknown_of(value): what is not known of it."""
+    found = [option for option in options(call.args[0]) if isinstance(option, Unknown)]
+    return join_all(found) if found else call.args[0]
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "_fields.shapes": _shapes,
     "_fields.bound": _bound,
@@ -201,4 +207,5 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_fields.body": _names,
     "_fields.opaque": _opaque,
     "_fields.known": _known,
+    "_fields.unknown_of": _unknown_of,
 }

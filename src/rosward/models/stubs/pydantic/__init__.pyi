@@ -3,7 +3,7 @@
 
 Read from pydantic 2.14 and 1.10. What a type that is not modelled here makes of a value (dates, addresses, constrained texts) is unknown.
 """
-from _fields import body, bound, known, opaque, room, shapes
+from _fields import body, bound, known, opaque, room, shapes, unknown_of
 from _rosward import either, reads_only, unknown
 import copy
 import enum
@@ -94,7 +94,15 @@ def _known_as(info, name, config):
     return keys + [name] if by_name else keys
 
 def _fields(cls):
-    """Each field with its shape and what is written of it, bases first."""
+    """Each field with its shape and what is written of it, bases first, as they were found when the class was made."""
+    found = body(cls).get('__pydantic_fields__')
+    return _find_fields(cls) if found is None else found
+
+def _is_whole(shape):
+    """Whether all classes that an annotation names were there."""
+    return shape[0] != 'other' and all(_is_whole(part) for part in shape[1:] if isinstance(part, tuple) and part)
+
+def _find_fields(cls):
     found = {}
     for base in _order(cls):
         inside = body(base)
@@ -121,7 +129,13 @@ def _fields(cls):
     return found
 
 def _hooks(cls, kind):
-    """The decorated functions of a model."""
+    """The decorated functions of a model, as they were found when its class was made."""
+    found = body(cls).get('__pydantic_decorators__')
+    return _find_hooks(cls, kind) if found is None else found[kind]
+
+_KINDS = ('field', 'model', 'serializer', 'model serializer')
+
+def _find_hooks(cls, kind):
     found = {}
     for base in _order(cls):
         for name, written in body(base).items():
@@ -145,7 +159,7 @@ def _take(shape, value, config):
     if opaque(value):
         if not _fits(shape, value) and unknown('call', 'whether pydantic takes a value', 'bool'):
             raise ValidationError('refused')
-        return _any(shape, value, 0)
+        return _any(shape, unknown_of(value), 0)
     value = known(value)
     if kind == 'class':
         return _as(shape[1], value, config)
@@ -488,6 +502,10 @@ class BaseModel:
     def __init_subclass__(cls, **kwargs):
         if kwargs:
             cls.model_config = {**_config(cls), **kwargs}
+        cls.__pydantic_decorators__ = {kind: _find_hooks(cls, kind) for kind in _KINDS}
+        fields = _find_fields(cls)
+        if all(_is_whole(info.shape) for info in fields.values()):
+            cls.__pydantic_fields__ = fields
         config = _config(cls)
         if config.get('validate_assignment') or config.get('frozen'):
             cls.__setattr__ = _assign
