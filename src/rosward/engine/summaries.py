@@ -230,8 +230,6 @@ class Summaries:
         self.fresh: set[int] = (
             set()
         )  # the addresses of variables that the call which is to be remembered made, and those within
-        self.wrote: set[int] = (
-            set()
-        )  # the addresses at which the call that is to be remembered, or the summary that is being made, wrote
+        self.wrote: set[int] = set()  # the addresses at which the call that runs, or the summary that is made, wrote
         self.anew: list[int] = []  # the addresses that nothing held and that were taken again
         self.uncaught = 0  # how many of them ended the main body

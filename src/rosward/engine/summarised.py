@@ -150,10 +150,9 @@ def _changed(machine: Engine, summary: Summary, called: State, state: State) -> 
         seen = state.heap.get(address)
         if seen is None:
             continue
-        written = address in summary.wrote and seen is summary.before.heap.get(
-            address
-        )  # it stood there for another call
-        if written or found.heap.stands(address) is None:
+        # What the body wrote may be no change, where it stood there for another call.
+        unchanged = seen is summary.before.heap.get(address)
+        if (unchanged and address in summary.wrote) or found.heap.stands(address) is None:
             found.heap[address] = seen
     found.version = machine.fresh_version()
     return found
