@@ -49,6 +49,10 @@ def _copy(walker: Walker, op: cpp.Copy | cpp.Convert, body: Body, seen: Seen) ->
     if isinstance(op, cpp.Convert) and op.kind == "buffer":
         found = found.joined(Mark(0, slots(source)))
     found = found if given is None else found.under(given.mask)
+    if isinstance(op, cpp.Convert) and op.kind == "placed":
+        target = body.registers[op.type]
+        write(walker, target, copied(found, seen), sure=not seen.reasons)
+        found = found.joined(Mark(target.mask, target.roots))
     body.registers[op.dst] = settled(walker, copied(found, seen), seen, body)
 
 

@@ -100,7 +100,7 @@ def _fields(cls):
 
 def _is_whole(shape):
     """Whether all classes that an annotation names were there."""
-    return shape[0] != 'other' and all(_is_whole(part) for part in shape[1:] if isinstance(part, tuple) and part)
+    return shape[0] != 'other' and all([_is_whole(part) for part in shape[1:] if isinstance(part, tuple) and part])
 
 def _find_fields(cls):
     found = {}
@@ -504,7 +504,7 @@ class BaseModel:
             cls.model_config = {**_config(cls), **kwargs}
         cls.__pydantic_decorators__ = {kind: _find_hooks(cls, kind) for kind in _KINDS}
         fields = _find_fields(cls)
-        if all(_is_whole(info.shape) for info in fields.values()):
+        if all([_is_whole(info.shape) for info in fields.values()]):
             cls.__pydantic_fields__ = fields
         config = _config(cls)
         if config.get('validate_assignment') or config.get('frozen'):
