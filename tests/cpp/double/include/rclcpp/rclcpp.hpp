@@ -13,6 +13,7 @@
 #include "rclcpp/free_functions.hpp"
 #include "rclcpp/node.hpp"
 #include "rclcpp/parameter_client.hpp"
+#include "rclcpp/wait_set.hpp"
 
 #define RCLCPP_VERSION_MAJOR 29
 #define RCLCPP_VERSION_MINOR 3
