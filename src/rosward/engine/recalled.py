@@ -48,7 +48,6 @@ def begun(machine: Engine) -> Call:
     call.around_fresh, machine.summaries.fresh = machine.summaries.fresh, set()
     call.around_rests, machine.precision.rests = machine.precision.rests, {}
     call.around_used, machine.summaries.used = machine.summaries.used, {}
-    call.around_wrote, machine.summaries.wrote = machine.summaries.wrote, set()
     catcher = call.catcher = machine.catchers[-1] if machine.catchers else None
     told = machine.summaries.told if catcher is None else catcher.told
     if told is not None:
@@ -80,8 +79,6 @@ def closed(machine: Engine, call: Call) -> None:
     machine.precision.note_rests(within)
     call.around_used.update(machine.summaries.used)
     machine.summaries.used = call.around_used
-    call.around_wrote |= machine.summaries.wrote
-    machine.summaries.wrote = call.around_wrote
     if not call.outermost:
         return
     if catcher is None:

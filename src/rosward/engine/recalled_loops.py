@@ -59,6 +59,7 @@ def recalling(follow: Follow) -> Follow:
             return None
         call = recalled.begun(machine)
         outer, machine.asked_for = machine.asked_for, set()
+        outer_wrote, machine.summaries.wrote = machine.summaries.wrote, set()
         try:
             alive = follow(machine, op, frame)
             if alive is not False:
@@ -69,6 +70,8 @@ def recalling(follow: Follow) -> Follow:
             recalled.closed(machine, call)
             asked_for, machine.asked_for = machine.asked_for, outer
             outer |= asked_for
+            wrote, machine.summaries.wrote = machine.summaries.wrote, outer_wrote
+            outer_wrote |= wrote
         return alive
 
     return loop

@@ -104,7 +104,6 @@ class Call:
         "around_fresh",
         "around_rests",
         "around_used",
-        "around_wrote",
         "asked_for",
         "before",
         "begun_anew",
@@ -164,7 +163,6 @@ class Call:
         self.used: Used = {}  # the finished summaries at which it looked
         self.around_used: Used = {}  # those of what runs around, until it ends
         self.wrote: frozenset[int] = frozenset()  # the addresses at which it wrote
-        self.around_wrote: set[int] = set()  # those of what runs around, until it ends
         self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
         self.records: tuple[Obj | None, ...] = ()  # what stood there
         self.left_in: Changes  # the state behind it,

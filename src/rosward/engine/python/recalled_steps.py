@@ -38,6 +38,7 @@ def recalling(
         return _repeated(machine, key, found)
     call = recalled.begun(machine)
     outer, machine.asked_for = machine.asked_for, set()
+    outer_wrote, machine.summaries.wrote = machine.summaries.wrote, set()
     noted, machine.noted = machine.noted, 0
     importing = bool(machine.catchers) and machine.catchers[-1].importing
     if importing:
@@ -52,6 +53,8 @@ def recalling(
         recalled.closed(machine, call)
         asked_for, machine.asked_for = machine.asked_for, outer
         outer |= asked_for
+        wrote, machine.summaries.wrote = machine.summaries.wrote, outer_wrote
+        outer_wrote |= wrote
         if importing:
             machine.catchers[-1].importing = True
     return stepped

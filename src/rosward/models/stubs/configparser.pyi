@@ -25,24 +25,23 @@ class ParsingError(Error): ...
 
 _NOTHING = object()
 
+def _put_in(value, sign, pattern, found):
+    return re.sub(pattern, found, value) if isinstance(value, str) and sign in value else value
+
 class Interpolation:
     def before_get(self, parser, section, option, value, defaults):
         return value
 class BasicInterpolation(Interpolation):
     """`%(name)s`"""
     def before_get(self, parser, section, option, value, defaults):
-        if not isinstance(value, str) or '%' not in value:
-            return value
-        return re.sub(r'%(?:\(([^)]+)\)s|%)', functools.partial(_basic, parser, section, defaults), value)
+        return _put_in(value, '%', r'%(?:\(([^)]+)\)s|%)', functools.partial(_basic, parser, section, defaults))
 def _basic(parser, section, defaults, match):
     name = match.group(1)
     return '%' if name is None else _inner(parser, section, name, defaults)
 class ExtendedInterpolation(Interpolation):
     """`${name}`, `${section:name}`"""
     def before_get(self, parser, section, option, value, defaults):
-        if not isinstance(value, str) or '$' not in value:
-            return value
-        return re.sub(r'\$(?:\{([^}]+)\}|\$)', functools.partial(_extended, parser, section, defaults), value)
+        return _put_in(value, '$', r'\$(?:\{([^}]+)\}|\$)', functools.partial(_extended, parser, section, defaults))
 def _extended(parser, section, defaults, match):
     name = match.group(1)
     if name is None:

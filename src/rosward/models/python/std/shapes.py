@@ -190,14 +190,18 @@ def _opaque(call: NativeCall) -> Value:
 
 def _known(call: NativeCall) -> Value:
     """_fields.known(value): what is known of a value that may be another one."""
-    found = [option for option in options(call.args[0]) if not isinstance(option, Unknown)]
-    return join_all(found) if found else call.args[0]
+    return _those(call.args[0], unknown=False)
 
 
 def _unknown_of(call: NativeCall) -> Value:
     """_fields.unknown_of(value): what is not known of it."""
-    found = [option for option in options(call.args[0]) if isinstance(option, Unknown)]
-    return join_all(found) if found else call.args[0]
+    return _those(call.args[0], unknown=True)
+
+
+def _those(value: Value, *, unknown: bool) -> Value:
+    """The alternatives of a value that are known, or those that are not; all where there are none."""
+    found = [option for option in options(value) if isinstance(option, Unknown) is unknown]
+    return join_all(found) if found else value
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
