@@ -140,12 +140,14 @@ class EffectLog:
 
     def add_node(self, machine: Execution, effect: NodeEffect) -> None:
         """Record a node."""
+        machine.note_creation()
         self.nodes[effect] = None
         self._at.setdefault(effect.address, {})[effect] = None
         self._done(machine, ("node", effect.address))
 
     def add_entity(self, machine: Execution, effect: EntityEffect) -> None:
         """Record an entity."""
+        machine.note_creation()
         if effect not in self.entities:
             self.entities[effect] = None
             self.paths[effect] = machine.path
@@ -169,7 +171,6 @@ class EffectLog:
 
     @staticmethod
     def _done(machine: Execution, key: tuple[object, ...]) -> None:
-        machine.note_creation()
         state = machine.state
         if key not in state.done:
             state.done |= {key}

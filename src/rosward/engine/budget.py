@@ -17,8 +17,10 @@ class Budget(NamedTuple):
     `coarse`: the part of the main body's, and of those of all callbacks, after which precision is given up, so that
     what computes much comes to rest: loops are no longer followed turn by turn, nor calls in contexts of their own.
     `unaware`: those in functions in C++ that know nothing of ROS, before those that take many are no longer followed.
-    `entry_coarse`: the steps of one callback after which the same happens; `loop_steps`:
-    those of one outermost loop, until it ends; `large`: the operations of a body that is then followed once for all its calls.
+    `entry_coarse`: the steps of one callback after which the same happens; `entry_idle`: those since it began or created something, after which
+    it happens at first: a callback that creates something later, or takes `entry_hasty`, is followed once more, without that.
+    `loop_steps`, `loop_idle`: the same for one outermost loop, until it ends, but that it is not followed once more.
+    `large`: the operations of a body that is then followed once for all its calls.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
     `unroll`: turns of a loop over a known sequence that are followed one by one; `unroll_while`: the same for a `while` whose condition is
     known; `unroll_forever`: for `while True`.
@@ -35,8 +37,11 @@ class Budget(NamedTuple):
     callback_steps: int = 2_000_000
     coarse: float = 0.25
     entry_coarse: int = 30_000
+    entry_idle: int = 2_000
+    entry_hasty: int = 180_000
     unaware: int = 60_000
     loop_steps: int = 120_000
+    loop_idle: int = 20_000
     large: int = 50
     depth: int = 60
     recursion: int = 4
@@ -52,7 +57,17 @@ class Budget(NamedTuple):
 
     def times(self, factor: float) -> Budget:
         """The budget with its steps multiplied: what `--budget` asks for."""
-        counted = ("steps", "entry_steps", "entry_coarse", "unaware", "callback_steps", "loop_steps", "seconds")
+        steps = (
+            "steps",
+            "entry_steps",
+            "entry_coarse",
+            "entry_idle",
+            "unaware",
+            "callback_steps",
+            "loop_steps",
+            "loop_idle",
+        )
+        counted = (*steps, "seconds")
         more = {name: type(value)(value * factor) for name, value in self._asdict().items() if name in counted}
         return self._replace(**more)
 
@@ -73,3 +88,7 @@ class LimitReachedError(Exception):
         super().__init__(what)
         self.what = what
         self.place = place
+
+
+class TooHastyError(Exception):
+    """A callback creates something after it was followed with less precision, though it has steps left: it is worth to be followed again."""

@@ -139,6 +139,7 @@ class Interpreter(Answers):
     def note_creation(self) -> None:
         """Here something is created: what runs now is followed call by call, also where precision is given up."""
         self.trace.creating.update(frame.code.key for frame in self.frames)
+        self.precision.note_creation()
 
     def note_effect(self, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""

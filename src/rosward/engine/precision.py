@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, final
 
 from rosward.deadline import Deadline
-from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine.budget import Budget, LimitReachedError, TooHastyError
 from rosward.records import NamedTuple
 from rosward.rules import TIME_LIMIT
 
@@ -51,9 +51,12 @@ class Precision:
         "_always_coarse",
         "_begun",
         "_coarse_limit",
+        "_created",
         "_heads",
         "_heavy",
         "_in_callbacks",
+        "_loop_begun",
+        "_patient",
         "_repeated",
         "begun",
         "budget",
@@ -90,6 +93,9 @@ class Precision:
         self.spent = 0  # steps of all callbacks, but for those that are running
         self.repeated_in_callbacks = 0  # those of them that were not taken
         self._begun = 0  # how many steps there were when these began
+        self._created = 0  # how many there were when something was created last, or a callback began
+        self._loop_begun = 0  # and when the outermost loop began
+        self._patient = True  # what creates nothing for long keeps its steps
         self._in_callbacks = False
         self._always_coarse = False  # the callback that is running took too many steps when it ran before
         self._coarse_limit = self.loop_limit  # the same, outside of all loops
@@ -99,6 +105,8 @@ class Precision:
         """Something takes as long as this many steps; raises where there are fewer left."""
         self.steps += steps
         if self.steps - self._repeated > self.step_limit:
+            if not self._patient:
+                raise TooHastyError
             most = self.budget.entry_steps if self._in_callbacks else self.budget.steps
             raise LimitReachedError(f"more than {most} steps", where.place)
 
@@ -113,10 +121,12 @@ class Precision:
         """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
         if not self.loops:
             self.turns = 0
-            self.loop_limit = min(self._coarse_limit, self.steps + self.budget.loop_steps)
+            self._loop_begun = self.steps
             self.coarse = self.coarse or (frame.code.key, op.number) in self._heavy
         self.loops += 1
         self.begun += 1
+        if self.loops == 1:
+            self._set_limit()
 
     def end_loop(self, op: Op, frame: Frame) -> None:
         """A loop has ended."""
@@ -129,8 +139,23 @@ class Precision:
             if not self._in_callbacks:  # what follows in the main body has its part of what is left
                 left = int((self.step_limit - self.steps) * self.budget.coarse)
                 self._coarse_limit = max(self._coarse_limit, self.steps + left)
-            self.loop_limit = self._coarse_limit
-            self.coarse = self._always_coarse or self.steps > self._coarse_limit
+            self._set_limit()
+            self.coarse = self._always_coarse or self.steps > self.loop_limit
+
+    def note_creation(self) -> None:
+        """Something is created: what runs now is worth its steps. Raises where that comes too late, in a callback."""
+        if self.coarse and not self._patient:
+            raise TooHastyError
+        self._created = self.steps
+        if not self.coarse:
+            self._set_limit()
+
+    def _set_limit(self) -> None:
+        most = self._coarse_limit
+        if self.loops:
+            begun = self._loop_begun
+            most = min(most, begun + self.budget.loop_steps, max(begun, self._created) + self.budget.loop_idle)
+        self.loop_limit = most if self._patient else min(most, self._created + self.budget.entry_idle)
 
     def rest_of(self, loop: OpKey) -> Rest | None:
         """Where a loop came to rest when it ran last."""
@@ -200,8 +225,8 @@ class Precision:
     @contextmanager
     def callbacks(self) -> Iterator[None]:
         """Callbacks run within: they are in no loop of the main body, which keeps the steps that it has left."""
-        loops, fixpoints, coarse = self.loops, self.fixpoints, self.coarse
-        limits = self.step_limit, self._coarse_limit, self.loop_limit
+        loops, fixpoints, coarse, patient = self.loops, self.fixpoints, self.coarse, self._patient
+        limits = self.step_limit, self._coarse_limit, self.loop_limit, self._created, self._loop_begun
         self.loops = self.fixpoints = 0
         self._in_callbacks, self._begun = True, self.steps
         try:
@@ -210,21 +235,38 @@ class Precision:
             spent = self.steps - self._begun
             self.spent += spent
             self._in_callbacks = False
-            self.loops, self.fixpoints, self.coarse = loops, fixpoints, coarse
-            self.step_limit, self._coarse_limit, self.loop_limit = (limit + spent for limit in limits)
+            self.loops, self.fixpoints, self.coarse, self._patient = loops, fixpoints, coarse, patient
+            self.step_limit, self._coarse_limit, self.loop_limit, self._created, self._loop_begun = (
+                limit + spent for limit in limits
+            )
 
     @property
     def spent_in_callbacks(self) -> int:
         """The steps of all callbacks, while they run."""
         return self.spent + self.steps - self._begun
 
-    def begin_callback(self, *, coarse: bool) -> int:
-        """A callback begins, with steps of its own; `coarse`: it took too many before. What `end_callback` asks for."""
+    def begin_callback(self, *, coarse: bool, patient: bool) -> int:
+        """A callback begins, with steps of its own; `coarse`: it took too many before. What `end_callback` asks for.
+
+        `patient`: it keeps its steps where it creates nothing for long.
+        """
         self.loops = self.fixpoints = 0
-        self.step_limit = self.steps - self._repeated + self.budget.entry_steps
+        most = self.budget.entry_steps if patient else self.budget.entry_hasty
+        self.step_limit = self.steps - self._repeated + most
         self.coarse = self._always_coarse = coarse
-        self._coarse_limit = self.loop_limit = self.steps + self.budget.entry_coarse
+        self._coarse_limit = self.steps + self.budget.entry_coarse
+        self._created, self._patient = self.steps, patient
+        self._set_limit()
         return len(self._heavy)
+
+    @property
+    def heavy(self) -> frozenset[OpKey]:
+        """The outermost loops that took too many steps."""
+        return frozenset(self._heavy)
+
+    def forget_heavy(self, known: frozenset[OpKey]) -> None:
+        """Nothing is known of loops any more but that these take too many steps."""
+        self._heavy &= known
 
     def end_callback(self, heavy: int) -> bool:
         """A callback has ended: whether it took too many steps to be followed as precisely again."""

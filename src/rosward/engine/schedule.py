@@ -16,7 +16,7 @@ from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, Function, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
-from rosward.engine.budget import LimitReachedError
+from rosward.engine.budget import LimitReachedError, TooHastyError
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
 from rosward.engine.scheduled import Scheduled
@@ -211,20 +211,35 @@ def _afford(machine: Engine, entry: Scheduled) -> bool:
             machine.log.findings.add(Finding("RW201", said, entry.place))
         entry.exhausted = True
         return False
-    entry.coarse = entry.coarse or spent > most * budget.coarse
+    if spent > most * budget.coarse:
+        entry.coarse = entry.patient = True
     return True
 
 
 def _call(machine: Engine, entry: Scheduled) -> None:
-    book = machine.schedule_book
-    book.event = entry.event
+    """Run a callback; once more from here, with more patience, if it creates something where it is no longer followed precisely."""
+    machine.schedule_book.event = entry.event
     machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
+    if entry.patient:
+        _run_once(machine, entry)
+        return
+    before, held_by_nothing, heavy = machine.state.copy(), machine.unheld.copy(), machine.precision.heavy
+    try:
+        _run_once(machine, entry)
+    except TooHastyError:
+        entry.coarse, entry.patient = False, True
+        machine.state, machine.unheld = before, held_by_nothing
+        machine.precision.forget_heavy(heavy)
+        _run_once(machine, entry)
+
+
+def _run_once(machine: Engine, entry: Scheduled) -> None:
     code = Code(CodeKind.FUNCTION, "", "", entry.place.file, entry.place.line, _NO_PARAMETERS, [], 0, (), (), ())
     frame = Frame(code, [], (), machine.library.nowhere, entry.context, False)
     frame.op = Op(entry.place.line, entry.place.column)
     frame.uncertain = 1
     machine.frames.append(frame)
-    heavy = machine.precision.begin_callback(coarse=entry.coarse)
+    heavy = machine.precision.begin_callback(coarse=entry.coarse, patient=entry.patient)
     try:
         arrive(machine, entry)
         if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":

@@ -28,6 +28,7 @@ class Scheduled:
         "event",
         "exhausted",
         "nodes",
+        "patient",
         "place",
         "read",
         "runs",
@@ -44,6 +45,7 @@ class Scheduled:
         self.state = state
         self.context = context
         self.coarse = False  # it took many steps: from now on it is followed with less precision
+        self.patient = False  # it creates something after many steps, or all took too many: it keeps its steps where it creates nothing
         self.answered: Value | None = None  # what is called with each result
         self.exhausted = False  # it hit a limit: it is not run again
         self.runs = 0  # how often it ran
