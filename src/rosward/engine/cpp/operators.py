@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Tuple
-from rosward.domain.enumerated import Whole
+from rosward.domain.enumerated import Enumerated, Whole
 from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
@@ -196,7 +196,7 @@ def _is_byte(machine: Engine, place: Value) -> bool:
 
 
 def _is_whole(value: Value) -> bool:
-    return value.__class__ is Const and value.value.__class__ in (int, Whole)
+    return value.__class__ is Const and value.value.__class__ in (int, Whole, Enumerated)
 
 
 def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
@@ -204,7 +204,10 @@ def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
     type_ = _declared(machine, slot)
     if type_ is None:
         return value
-    return convert(machine, value, type_) if shape_of(type_) is Shape.INT else plain_number(value)
+    is_enumerator = bool(enumeration_of(value))
+    if shape_of(type_) is Shape.INT or (is_enumerator and shape_of(type_) in {Shape.BOOL, Shape.FLOAT}):
+        return convert(machine, value, type_)
+    return value if is_enumerator else plain_number(value)
 
 
 def _declared(machine: Engine, slot: Value) -> Value | None:
