@@ -45,7 +45,6 @@ from rosward.records import NamedTuple, replace
 from rosward.result import Result
 from rosward.ros.distro import DEFAULT_DISTRO, Distro
 from rosward.source.exclude import Exclusion
-from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.workspace import SkipReason, SourceFile
 

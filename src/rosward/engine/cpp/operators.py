@@ -28,6 +28,7 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
+from rosward.models.cpp.boxes import become_box, is_box, unboxed
 from rosward.models.cpp.characters import as_string, is_text
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import ASSIGN, copied, write
@@ -144,7 +145,7 @@ def compare(machine: Engine, operator: str, left: Value, right: Value) -> Value:
 
 def truth(machine: Engine, value: Value) -> bool | None:
     """Whether a value counts as true; None where both may be."""
-    held = read(machine, value)
+    held = read(machine, unboxed(machine, value))
     if isinstance(held, Overloads):
         return True
     if _is_object(machine, held):
@@ -295,12 +296,37 @@ def _object(machine: Engine, ref: Ref, src: Value) -> Value:
             value = as_type.convert(machine, value, cls, "init")
             if isinstance(value, Tuple):
                 value = construct.make(machine, cls, (value,), "brace-copy")
-    elif shape_of(cls) is Shape.PAIR:
+    elif shape_of(cls) in {Shape.PAIR, Shape.OPTIONAL}:
         value = convert(machine, value, cls)
     if value is UNBOUND:
         return UNBOUND
-    write(machine, ref, value)
+    if _is_another(machine, ref, cls, value):
+        become_box(machine, ref, value)
+    else:
+        write(machine, ref, value)
     return ref
+
+
+def _is_another(machine: Engine, ref: Ref, cls: Value, value: Value) -> bool:
+    """Whether no object of its class can hold what is assigned: so it stands for a variant, `any` or `function`, which hold anything."""
+    if is_box(machine, ref):
+        return True
+    if (
+        not isinstance(cls, Class)
+        or (cls.stub and cls.name != "monostate")
+        or not all(isinstance(each, Class) for each in cls.mro)
+    ):
+        return False
+    info = linked(machine).info(cls)
+    if info is None or names.in_class(machine, info, "operator=") is not None:
+        return False
+    return not any(isinstance(o, Unknown) or _is_related(machine, o, cls) for o in options(value))
+
+
+def _is_related(machine: Engine, value: Value, cls: Class) -> bool:
+    """Whether a value is an object of a class, of one that derives from it, or of one that it derives from."""
+    other = machine.obj(value).cls if isinstance(value, Ref) else None
+    return isinstance(other, Class) and (cls in other.mro or other in cls.mro)
 
 
 _EMPTY: Final = {"&&": Const(True), "||": Const(False), ",": NONE}
