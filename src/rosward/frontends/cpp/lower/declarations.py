@@ -86,6 +86,10 @@ def variable(
         inner = within(shape)
         shape = inner if inner is not None else shape
         what = Given(tuple(_meant(body, each) for each in listed), "paren")
+    if value is None and shape.type == "reference_declarator":
+        what = value = _referent(shape)
+        if value is None and has(shape, FUNCTIONS):
+            return None
     name = _name(shape)
     if name is None:
         body.unknown(declarator, "syntax")
@@ -94,6 +98,15 @@ def variable(
         bind(body, node, shape, name, body.slot(value) if has(shape, REFERENCES) else body.own(value))
         return None
     return _one(body, node, type_node, shape, word(name), what, static=static, equals=equals)
+
+
+def _referent(shape: Node) -> Node | None:
+    """`lamp` in `Lamp & other(lamp);`, which reads like the declaration of a function."""
+    inner = within(shape)
+    listed = _vexing(inner) if inner is not None and inner.type in FUNCTIONS else None
+    if listed is None or len(listed) > 1 or listed[0].child_by_field_name("declarator") is not None:
+        return None
+    return listed[0].child_by_field_name("type")
 
 
 def _name(declarator: Node) -> Node | None:
@@ -198,7 +211,7 @@ def _referred(body: Body, node: Node, type_node: Node | None, shape: Node, value
     if value is None:
         return body.unknown(node, "syntax")
     auto = type_node is None or type_node.type in _AUTO
-    if auto or is_lvalue(value) or value.type in ("call_expression", "conditional_expression"):
+    if auto or is_lvalue(value) or value.type in ("call_expression", "conditional_expression", "type_identifier"):
         return body.slot(value)
     return construct(body, node, declared_type(body, type_node, shape), given(body, value, copy=True))
 

@@ -192,8 +192,12 @@ def _receiver(function: Node | None) -> Iterator[str]:
 
 
 def _vexing(node: Node) -> Iterator[str]:
-    """`Guard guard(mutex);` reads like the declaration of a function."""
-    waiting = [d for d in node.children_by_field_name("declarator") if d.type == "function_declarator"]
+    """`Guard guard(mutex);` reads like the declaration of a function, as does `Lamp & other(lamp);`."""
+    shapes = [
+        d.named_children[-1] if d.type == "reference_declarator" and d.named_children else d
+        for d in node.children_by_field_name("declarator")
+    ]
+    waiting = [d for d in shapes if d.type == "function_declarator"]
     for _ in range(_LOOKED_AT):
         if not waiting:
             return
