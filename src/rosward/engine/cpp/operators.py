@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.enumerated import Enumerated, Whole
+from rosward.domain.series import Series
 from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
@@ -32,6 +33,7 @@ from rosward.models.cpp.boxes import become_box, is_box, unboxed
 from rosward.models.cpp.characters import as_string, is_text
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import ASSIGN, copied, write
+from rosward.models.cpp.ranges import emit, is_inserter
 from rosward.models.cpp.slots import plain_number, read
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 
@@ -158,6 +160,9 @@ def truth(machine: Engine, value: Value) -> bool | None:
 
 def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     """`slot operator src`; the slot, or UNBOUND where it never ends."""
+    if operator == "=" and is_inserter(slot):  # `*out = x`
+        emit(machine, slot, Series((read(machine, src),)))
+        return slot
     own = _own(machine, operator, (slot, src)) if operator != "=" or _says_itself(machine, slot, src) else None
     if own is not None:
         return own if own is UNBOUND else slot
@@ -252,6 +257,8 @@ def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:
     if own is not None:
         return own
     before = copied(machine, slot)
+    if is_inserter(before):
+        return slot if prefix else before
     done = assign(machine, f"{operator[0]}=", slot, Const(1))
     return done if done is UNBOUND else slot if prefix else before
 
