@@ -29,7 +29,7 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
-from rosward.models.cpp.boxes import become_box, is_box, unboxed
+from rosward.models.cpp.boxes import become_box, is_box, may_be_another, unboxed
 from rosward.models.cpp.characters import as_string, is_text
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import ASSIGN, copied, write
@@ -311,6 +311,8 @@ def _object(machine: Engine, ref: Ref, src: Value) -> Value:
         become_box(machine, ref, value)
     else:
         write(machine, ref, value)
+        if any(isinstance(o, Unknown) for o in options(value)):
+            may_be_another(machine, ref)
     return ref
 
 
@@ -327,11 +329,13 @@ def _is_another(machine: Engine, ref: Ref, cls: Value, value: Value) -> bool:
     info = linked(machine).info(cls)
     if info is None or names.in_class(machine, info, "operator=") is not None:
         return False
-    return not any(isinstance(o, Unknown) or _is_related(machine, o, cls) for o in options(value))
+    return not any(_is_related(machine, o, cls) for o in options(value))
 
 
 def _is_related(machine: Engine, value: Value, cls: Class) -> bool:
-    """Whether a value is an object of a class, of one that derives from it, or of one that it derives from."""
+    """Whether a value may be an object of a class, of one that derives from it, or of one that it derives from."""
+    if isinstance(value, Unknown):
+        return value.hint not in {"bool", "int", "float", "str"}
     other = machine.obj(value).cls if isinstance(value, Ref) else None
     return isinstance(other, Class) and (cls in other.mro or other in cls.mro)
 

@@ -17,7 +17,7 @@ from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
-from rosward.models.cpp.boxes import unboxed
+from rosward.models.cpp.boxes import is_open, unboxed
 from rosward.models.cpp.characters import as_kept
 from rosward.models.cpp.containers import element_from, made_of, place_of
 from rosward.models.cpp.conversions import NULLOPT, convert, default_value, is_empty_optional, new_container
@@ -148,7 +148,10 @@ def _alternative(machine: Machine, place: Value, held: Value, wanted: Value, err
         return raises(machine, *error)
     if fits is None:
         may_raise(machine, *error)
-        return Unknown(held.reasons, hint_of(wanted)) if isinstance(held, Unknown) else held
+        if isinstance(held, Unknown):
+            return Unknown(held.reasons, hint_of(wanted))
+        is_one = isinstance(held, Ref) and machine.obj(held).cls == wanted
+        return held if is_one or not is_open(machine, held) else unknown_from(machine, "get", hint_of(wanted), held)
     return place if isinstance(place, Slot) else held
 
 
@@ -167,6 +170,8 @@ def is_of_type(machine: Machine, value: Value, type_: Value) -> bool | None:
     shape = shape_of(type_)
     if isinstance(value, Ref):
         cls = machine.obj(value).cls
+        if is_open(machine, value):
+            return None
         if isinstance(cls, Class) or isinstance(type_, Class):
             return type_ in cls.mro if isinstance(cls, Class) else False
         return cls == type_ or (None if shape_of(cls) is shape else False)

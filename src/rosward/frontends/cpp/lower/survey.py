@@ -165,10 +165,19 @@ def _placed(node: Node, kind: str) -> Iterator[str]:
             yield from named(node.child_by_field_name("right"))
     elif kind == "declaration":
         yield from _vexing(node)
+    elif kind in _CHANGES:  # `(more ? a : b) = 1`, `(x += 1) *= 2`
+        changed = node.child_by_field_name(_CHANGES[kind])
+        yield from named(changed if changed is not None and changed.type in _AROUND else None)
     elif kind in _VALUES:
         yield from named(node.child_by_field_name("value") or node.child_by_field_name("right"))
     elif kind == "parameter_pack_expansion":
         yield from named(node.child_by_field_name("pattern"))
+
+
+_CHANGES: Final = {"assignment_expression": "left", "update_expression": "argument"}
+_AROUND: Final = frozenset(
+    {"parenthesized_expression", "conditional_expression", "assignment_expression", "update_expression"}
+)
 
 
 def _assigned(node: Node, kind: str) -> Iterator[str]:
