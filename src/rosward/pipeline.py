@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.analysis.deep_stack import with_deep_stack
-from rosward.analysis.nothing_found import nothing_found
+from rosward.analysis.nothing_found import nothing_found, nothing_started
 from rosward.analysis.read import (
     EVERYTHING,
     NothingToReadError,
@@ -45,7 +45,6 @@ from rosward.records import NamedTuple, replace
 from rosward.result import Result
 from rosward.ros.distro import DEFAULT_DISTRO, Distro
 from rosward.source.exclude import Exclusion
-from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.workspace import SkipReason, SourceFile
 
@@ -265,7 +264,7 @@ def _network(
     )
     findings.update((*conflicts, *too_large))
     if not nodes:
-        findings.add(Finding("RW007", "No node was found.", Place("", 0)) if deploys else nothing_found(read))
+        findings.add(nothing_started(read) if deploys else nothing_found(read))
     counts = _ReadCounts(
         read.sources.files_read, read.sources.lines_read, len({n.process for n in nodes if not n.assumed})
     )

@@ -115,6 +115,13 @@ Visualization Manager:
 """
 
 
+def test_rviz_takes_the_last_of_two_keys() -> None:
+    view = VIEW.replace("Topic: {Value: /marks}", "Topic: {Value: /first, Value: /marks}")
+    log = start("rviz2", "rviz2", ["-d", "/v.rviz", "--ros-args", "-r", "__node:=rviz2"], read_file=lambda _: view)
+    assert "sub /marks Marker" in lines(log)
+    assert not any("/first" in line for line in lines(log))
+
+
 def test_rviz_subscribes_to_what_its_displays_show() -> None:
     log = start("rviz2", "rviz2", ["-d", "/v.rviz", "--ros-args", "-r", "__node:=rviz2"], read_file=lambda _: VIEW)
     assert nodes(log) == ["/rviz2", "/transform_listener_impl_*"]

@@ -15,9 +15,9 @@ def reads(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """What was read so far."""
     found: list[str] = []
 
-    def noted(text: str, file: str) -> Item:
+    def noted(text: str, file: str, *, repeated: bool) -> Item:
         found.append(text)
-        return read_yaml(text, file)
+        return read_yaml(text, file, repeated=repeated)
 
     monkeypatch.setattr(yaml_documents, "read_yaml", noted)
     return found

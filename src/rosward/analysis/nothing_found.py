@@ -18,6 +18,12 @@ def nothing_found(read: SourcesRead) -> Finding:
     return Finding("RW007", f"No node was found: {_why(read)}", Place("", 0))
 
 
+def nothing_started(read: SourcesRead) -> Finding:
+    """The same for sources of which launch files were asked for."""
+    why = "the launch files start none" if read.workspace.launch_files else "there is no launch file"
+    return Finding("RW007", f"No node was found: {why}. Without --launch, every executable is analysed.", Place("", 0))
+
+
 def _why(read: SourcesRead) -> str:
     packages = read.workspace.packages
     if any(map(is_for_ros_1, packages)) and not any(package.build_type.startswith("ament") for package in packages):

@@ -33,6 +33,11 @@ class _Typed(int):
         return self.__class__, (int(self), self.named)
 
 
+def same_number(left: object, right: object) -> bool:
+    """Whether two constants are equal to an operator, which asks for no type: `case` of an enumerator where a byte is asked."""
+    return int(left) == int(right) if isinstance(left, _Typed) and isinstance(right, _Typed) else bool(left == right)
+
+
 @final
 class Enumerated(_Typed):
     """The number of an enumerator, which knows its enumeration by the dotted name."""

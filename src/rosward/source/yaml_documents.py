@@ -23,15 +23,15 @@ class YamlDocuments:
     """Documents by file and text, as many as have room; those that nobody asked for longest go first."""
 
     def __init__(self) -> None:
-        self._known: dict[tuple[str, str], Item | Malformed] = {}
+        self._known: dict[tuple[str, str, bool], Item | Malformed] = {}
         self._characters = 0
 
-    def read(self, text: str, file: str) -> Item:
-        """The one document of a text. Raises `Malformed`."""
-        key = file, text
+    def read(self, text: str, file: str, *, repeated: bool = False) -> Item:
+        """The one document of a text; a key may be `repeated`, of which the last one counts. Raises `Malformed`."""
+        key = file, text, repeated
         found = self._known.pop(key, None)
         if found is None:
-            found = _read(text, file)
+            found = _read(text, file, repeated=repeated)
             self._characters += len(text)
         self._known[key] = found
         while self._characters > _MOST_CHARACTERS:
@@ -43,8 +43,8 @@ class YamlDocuments:
         return found
 
 
-def _read(text: str, file: str) -> Item | Malformed:
+def _read(text: str, file: str, *, repeated: bool) -> Item | Malformed:
     try:
-        return read_yaml(text, file)
+        return read_yaml(text, file, repeated=repeated)
     except Malformed as problem:
         return Malformed(problem.message, problem.place)

@@ -73,8 +73,8 @@ class Item(NamedTuple):
         return self.value
 
 
-def read_yaml(text: str, file: str) -> Item:
-    """The one document of a text. Raises `Malformed`."""
+def read_yaml(text: str, file: str, *, repeated: bool = False) -> Item:
+    """The one document of a text; a key may be `repeated`, of which the last one counts. Raises `Malformed`."""
     import yaml
 
     whole = Place(file)
@@ -91,7 +91,7 @@ def read_yaml(text: str, file: str) -> Item:
         raise Malformed(f"not valid YAML: {str(error).splitlines()[0]}", whole) from None
     if node is None:
         raise Malformed("the file is empty", whole)
-    return _item(node, file, yaml.constructor.SafeConstructor())
+    return _item(node, file, yaml.constructor.SafeConstructor(), repeated=repeated)
 
 
 def _node(events: Sequence[yaml.Event]) -> yaml.Node | None:
@@ -144,14 +144,14 @@ def _place(at: yaml.Event | yaml.Node, file: str) -> Place:
     return Place(file) if mark is None else Place(file, mark.line + 1, mark.column + 1)
 
 
-def _item(node: yaml.Node, file: str, scalars: SafeConstructor) -> Item:
+def _item(node: yaml.Node, file: str, scalars: SafeConstructor, *, repeated: bool) -> Item:
     import yaml
 
     place = _place(node, file)
     if isinstance(node, yaml.SequenceNode):
-        return Item([_item(each, file, scalars) for each in node.value], place)
+        return Item([_item(each, file, scalars, repeated=repeated) for each in node.value], place)
     if isinstance(node, yaml.MappingNode):
-        return Item(dict(_pairs(node, file, scalars)), place)
+        return Item(dict(_pairs(node, file, scalars, repeated=repeated)), place)
     try:
         value = scalars.construct_object(node)
     except (yaml.YAMLError, ValueError, OverflowError):
@@ -161,7 +161,9 @@ def _item(node: yaml.Node, file: str, scalars: SafeConstructor) -> Item:
     return Item(value, place)
 
 
-def _pairs(node: yaml.MappingNode, file: str, scalars: SafeConstructor) -> Iterator[tuple[str, Item]]:
+def _pairs(
+    node: yaml.MappingNode, file: str, scalars: SafeConstructor, *, repeated: bool
+) -> Iterator[tuple[str, Item]]:
     from yaml import ScalarNode
 
     seen: set[str] = set()
@@ -170,7 +172,7 @@ def _pairs(node: yaml.MappingNode, file: str, scalars: SafeConstructor) -> Itera
         if not isinstance(key, ScalarNode):
             raise Malformed("a key must be a string", place)
         name = str(key.value)
-        if name in seen:
+        if name in seen and not repeated:
             raise Malformed(f"'{name}' occurs twice here", place)
         seen.add(name)
-        yield name, _item(value, file, scalars)._replace(named=place)
+        yield name, _item(value, file, scalars, repeated=repeated)._replace(named=place)

@@ -47,11 +47,11 @@ class FilesRead(NamedTuple):
     text: ReadFile
     documents: YamlDocuments
 
-    def yaml(self, path: Value) -> Item | None:
+    def yaml(self, path: Value, *, repeated: bool = False) -> Item | None:
         """The document in the file of a path, where the path has one meaning; None where it is not among the sources. Raises `Malformed`."""
         several = [o for o in options(path) if o != EMPTY]
         text = self.text(several[0]) if len(several) == 1 else None
-        return None if text is None else self.documents.read(text, "")
+        return None if text is None else self.documents.read(text, "", repeated=repeated)
 
 
 Reader = Callable[[TemplateScope, FilesRead], Iterator["FoundEndpoint | Open"]]

@@ -85,7 +85,7 @@ def rviz(scope: TemplateScope, files: FilesRead) -> Found_:
         yield Open("without -d it loads the user's own ~/.rviz2/default.rviz")
         return
     try:
-        document = files.yaml(path)
+        document = files.yaml(path, repeated=True)
     except Malformed as error:
         yield Open(f"its configuration file cannot be read: {error.message}")
         return

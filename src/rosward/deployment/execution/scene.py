@@ -13,6 +13,7 @@ from rosward.deployment.execution.context import Context
 from rosward.deployment.execution.findings import FindingLog
 from rosward.deployment.execution.generated import GeneratedFiles
 from rosward.deployment.execution.launch_files import LaunchFiles
+from rosward.deployment.markup.substitutions import UNKNOWN
 from rosward.deployment.performer import PythonCode
 from rosward.deployment.tree import Substitution, Template
 from rosward.domain.choice import lift, lift2, reasons_of
@@ -154,12 +155,21 @@ class Scene:
             self._depth -= 1
 
     def _not_performed(self, substitution: Substitution) -> Value:
+        name = _name_of(substitution)
         if self._depth >= MAX_DEPTH:
             self.findings.tell("RW201", "Substitutions are nested too deeply here.", substitution.place)
         else:
-            message = f"The substitution '{substitution.kind}' is not supported: its text is unknown."
+            message = f"The substitution '{name}' is not supported: its text is unknown."
+            if substitution.kind == UNKNOWN:  # what launch refuses, as RW320 tells
+                message = f"'{name}' cannot be read here: its text is unknown."
             self.findings.tell("RW321", message, substitution.place)
-        return Unknown((Reason(Cause.LIMIT, substitution.kind, substitution.place),), "str")
+        return Unknown((Reason(Cause.LIMIT, name, substitution.place),), "str")
+
+
+def _name_of(substitution: Substitution) -> str:
+    """What a substitution is called in the launch file."""
+    written = substitution.arguments[0] if substitution.kind == UNKNOWN and substitution.arguments else ()
+    return "".join(str(part.value) for part in written if isinstance(part, Const)) or substitution.kind
 
 
 def _as_text(value: Value) -> Value:

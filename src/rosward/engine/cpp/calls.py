@@ -34,6 +34,7 @@ from rosward.engine.cpp.types import dotted, type_of
 from rosward.engine.cpp.values import function_of, overloads
 from rosward.engine.escape import name_of
 from rosward.engine.python import calls as python_calls
+from rosward.models.cpp.boxes import is_box, unboxed
 from rosward.models.cpp.c_functions import C_FUNCTIONS
 from rosward.models.cpp.slots import read
 
@@ -98,6 +99,8 @@ def invoke(
         return _fresh(machine, construct.make(machine, function, args, "paren"))
     if isinstance(function, Pointer):
         return invoke(machine, read(machine, function.target), args, types, keywords)
+    if is_box(machine, function):
+        return invoke(machine, read(machine, unboxed(machine, function)), args, types, keywords)
     if isinstance(function, Ref):
         operator = members.member(machine, function, "operator()", (), class_cast_to(machine, function))
         if isinstance(operator, Overloads):

@@ -87,7 +87,12 @@ def specialised(machine: Engine, symbol: Symbol, env: ModuleValue, given: tuple[
                 return None
         elif not match(machine, pattern, given[index], wanted, bindings, sure=True):
             return None
-    return bindings if len(patterns) >= len(given) else None
+    if len(patterns) < len(given):
+        return None
+    for parameter in symbol.template or ():  # of a pattern that says more than can be matched: `R(A...)`
+        if parameter.name not in bindings:
+            bindings[parameter.name] = machine.unknown(Cause.CALL, f"template argument {parameter.name}")
+    return bindings
 
 
 def _mentions(pattern: object, wanted: frozenset[str]) -> bool:

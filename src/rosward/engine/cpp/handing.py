@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External
 from rosward.domain.heap import Obj
+from rosward.domain.series import Series
 from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Choice, Class, Function, ModuleValue, Ref, Value
@@ -25,6 +26,7 @@ from rosward.engine.havoc import change
 from rosward.engine.throwing import note_call
 from rosward.ir.symbols import Symbol, SymbolKind
 from rosward.models.cpp.copies import write
+from rosward.models.cpp.ranges import emit, is_inserter
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
@@ -67,6 +69,8 @@ def hand_over(
     machine.escape((*held, *(t for t in types if isinstance(t, Class))), name, callee)
     for value in held if informed else ():
         change(machine, value, name, informed=True)
+    for each in (o for v in values for o in options(read(machine, v)) if is_inserter(o)):
+        emit(machine, each, Series((), machine.unknown(Cause.CALL, name)))
     pointers = [o for v in values for o in options(read(machine, v)) if isinstance(o, Pointer)]
     reached = [o.target for o in pointers if isinstance(o.target, Slot)]
     for slot in (*changed, *(each for place in reached for each in _from_there(machine, place))):

@@ -23,8 +23,8 @@ from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import overloads
+from rosward.engine.cpp.variants import of_variant
 from rosward.engine.frame import Frame
-from rosward.models.cpp.compounds import alternative
 from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.receivers import OF_PLACES
 from rosward.models.cpp.slots import read
@@ -101,6 +101,9 @@ def _takes_place(machine: Engine, value: Value, name: str) -> bool:
     return not known or known[0] in OF_PLACES
 
 
+_OF_VARIANTS: Final = frozenset({"index", "emplace", "valueless_by_exception"})
+
+
 def _of_one(
     machine: Engine,
     frame: Frame,
@@ -115,6 +118,10 @@ def _of_one(
     constant: bool,
     declared: Callable[[], Value] | None,
 ) -> Value:
+    if name in _OF_VARIANTS:
+        found = of_variant(machine, slot, value, name, args, types, declared)
+        if found is not None:
+            return found
     if isinstance(value, Ref) and isinstance(machine.obj(value).cls, Class):
         if scope is None and declared is not None and not own:
             scope = _hiding(machine, value, name, declared)
@@ -126,10 +133,6 @@ def _of_one(
         if isinstance(function, Overloads):
             function = of_constness(function, constant=constant)
         return calls.invoke(machine, access.value(machine, function), args, types)
-    if name == "index" and declared is not None and not args:
-        position = alternative(machine, value, declared())
-        if position is not None:
-            return position
     for type_name in method_types(machine, value):
         native = machine.library.native(f"{type_name}.{name}")
         if native is not None:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Tuple
-from rosward.domain.enumerated import Whole
+from rosward.domain.enumerated import Enumerated, Whole
+from rosward.domain.series import Series
 from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
@@ -28,9 +29,11 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
+from rosward.models.cpp.boxes import become_box, is_box, may_be_another, unboxed
 from rosward.models.cpp.characters import as_string, is_text
 from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.copies import ASSIGN, copied, write
+from rosward.models.cpp.ranges import emit, is_inserter
 from rosward.models.cpp.slots import plain_number, read
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 
@@ -144,7 +147,7 @@ def compare(machine: Engine, operator: str, left: Value, right: Value) -> Value:
 
 def truth(machine: Engine, value: Value) -> bool | None:
     """Whether a value counts as true; None where both may be."""
-    held = read(machine, value)
+    held = read(machine, unboxed(machine, value))
     if isinstance(held, Overloads):
         return True
     if _is_object(machine, held):
@@ -157,6 +160,9 @@ def truth(machine: Engine, value: Value) -> bool | None:
 
 def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     """`slot operator src`; the slot, or UNBOUND where it never ends."""
+    if operator == "=" and is_inserter(slot):  # `*out = x`
+        emit(machine, slot, Series((read(machine, src),)))
+        return slot
     own = _own(machine, operator, (slot, src)) if operator != "=" or _says_itself(machine, slot, src) else None
     if own is not None:
         return own if own is UNBOUND else slot
@@ -196,7 +202,7 @@ def _is_byte(machine: Engine, place: Value) -> bool:
 
 
 def _is_whole(value: Value) -> bool:
-    return value.__class__ is Const and value.value.__class__ in (int, Whole)
+    return value.__class__ is Const and value.value.__class__ in (int, Whole, Enumerated)
 
 
 def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
@@ -204,7 +210,10 @@ def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
     type_ = _declared(machine, slot)
     if type_ is None:
         return value
-    return convert(machine, value, type_) if shape_of(type_) is Shape.INT else plain_number(value)
+    is_enumerator = bool(enumeration_of(value))
+    if shape_of(type_) is Shape.INT or (is_enumerator and shape_of(type_) in {Shape.BOOL, Shape.FLOAT}):
+        return convert(machine, value, type_)
+    return value if is_enumerator else plain_number(value)
 
 
 def _declared(machine: Engine, slot: Value) -> Value | None:
@@ -248,6 +257,8 @@ def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:
     if own is not None:
         return own
     before = copied(machine, slot)
+    if is_inserter(before):
+        return slot if prefix else before
     done = assign(machine, f"{operator[0]}=", slot, Const(1))
     return done if done is UNBOUND else slot if prefix else before
 
@@ -292,12 +303,41 @@ def _object(machine: Engine, ref: Ref, src: Value) -> Value:
             value = as_type.convert(machine, value, cls, "init")
             if isinstance(value, Tuple):
                 value = construct.make(machine, cls, (value,), "brace-copy")
-    elif shape_of(cls) is Shape.PAIR:
+    elif shape_of(cls) in {Shape.PAIR, Shape.OPTIONAL}:
         value = convert(machine, value, cls)
     if value is UNBOUND:
         return UNBOUND
-    write(machine, ref, value)
+    if _is_another(machine, ref, cls, value):
+        become_box(machine, ref, value)
+    else:
+        write(machine, ref, value)
+        if any(isinstance(o, Unknown) for o in options(value)):
+            may_be_another(machine, ref)
     return ref
+
+
+def _is_another(machine: Engine, ref: Ref, cls: Value, value: Value) -> bool:
+    """Whether no object of its class can hold what is assigned: so it stands for a variant, `any` or `function`, which hold anything."""
+    if is_box(machine, ref):
+        return True
+    if (
+        not isinstance(cls, Class)
+        or (cls.stub and cls.name != "monostate")
+        or not all(isinstance(each, Class) for each in cls.mro)
+    ):
+        return False
+    info = linked(machine).info(cls)
+    if info is None or names.in_class(machine, info, "operator=") is not None:
+        return False
+    return not any(_is_related(machine, o, cls) for o in options(value))
+
+
+def _is_related(machine: Engine, value: Value, cls: Class) -> bool:
+    """Whether a value may be an object of a class, of one that derives from it, or of one that it derives from."""
+    if isinstance(value, Unknown):
+        return value.hint not in {"bool", "int", "float", "str"}
+    other = machine.obj(value).cls if isinstance(value, Ref) else None
+    return isinstance(other, Class) and (cls in other.mro or other in cls.mro)
 
 
 _EMPTY: Final = {"&&": Const(True), "||": Const(False), ",": NONE}

@@ -279,6 +279,15 @@ def _standing(node: Node, type_node: Node, declarators: list[Node]) -> str | Non
     return unnamed(type_node)
 
 
+def enumeration_name(node: Node) -> str:
+    """What an enum is called: by itself, by its `typedef`, or by a word of ours where variables have its type; else ''."""
+    name = node.child_by_field_name("name")
+    if name is not None:
+        return spelled(name).last.name
+    whole = node.parent
+    return (_standing(whole, node, whole.children_by_field_name("declarator")) if whole is not None else None) or ""
+
+
 def has_variables(node: Node) -> bool:
     """Whether a class stands where variables are declared of it: `struct {float x; float y;} part;`."""
     return node.parent is not None and bool(node.parent.children_by_field_name("declarator"))

@@ -5,6 +5,7 @@
 "%" VENDOR_FORMAT(4) " bytes"            "%" ""VENDOR_FORMAT     " bytes"
 if (late) volatile int stop = 1;         if (late) {volatile int stop = 1;}
 else std::string name("a");              else {std::string name("a");}
+x = (i = 4, 5);                          x = ((i = 4), 5);
 
 It is asked only where something was not understood, so that all other files pay nothing. Lines stay; what follows in a line moves.
 """
@@ -30,10 +31,15 @@ _DECLARED: Final = re.compile(
     r"(?P<declaration>(?:[A-Za-z_]\w*(?:::\w+)*(?:<[^;{}()]{0,200}>)?(?:\s*[*&]+\s*|\s+)){1,5}[A-Za-z_]\w*\s*(?=[=({;])[^;{}]{0,1000}(?:\{[^;{}]{0,1000}\}[^;{}]{0,100})?;)"
 )
 
+_ASSIGNED: Final = re.compile(
+    r"\((\s*[A-Za-z_][\w.]*\s*[-+*/%&|^]?=(?!=)(?:[^,;(){}\"']|\"[^\"\\\n]{0,200}\"|\([^;(){}\"']{0,200}\)){1,200})(?=,)"
+)
+"""An assignment that is the first of several in brackets."""
+
 
 def repaired(text: str) -> str:
     """The text with these made plain; the same one where there are none."""
-    return _with_bodies(_with_literals(text))
+    return _ASSIGNED.sub(r"((\1)", _with_bodies(_with_literals(text)))
 
 
 def _with_literals(text: str) -> str:

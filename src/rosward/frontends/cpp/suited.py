@@ -17,6 +17,7 @@ x.~Tree<Node>();                         x.~Tree      ();
 delete [] (v);                           delete []  v ;
 v(i) = 0;                                v(i) =+0;
 void (*table[])() = {f, g};              void (*table[])()   {f, g};
+Lamp & on(lamps[0].on);                  Lamp & on=lamps[0].on ;
 int (&row)[3] = rows[0];                 int  &row      = rows[0];
 using Ts::operator()...;                 using Ts::operator()   ;
 using std::sin, std::cos;                using std::sin;using  std::cos;
@@ -65,6 +66,18 @@ _TABLE: Final = re.compile(r"(\(\s*\*\s*(?:const\s+)?\w+\s*(?:\[[^\[\]{};]{0,100
 _ROW: Final = re.compile(
     r"(\b(?:auto|bool|char|short|int|long|float|double|unsigned|signed|\w+_t)\s*)\((\s*&\s*\w+\s*)\)((?:\s*\[[^\[\]{};]{0,100}\]){1,3})(?=\s*=[^=])"
 )
+_DIRECT: Final = re.compile(
+    r"(?<=[;{}])(\s*(?:(?:static|const|constexpr|typename)\s+)*"
+    r"(?!(?:return|throw|delete|new|else|case|goto|typedef|using|friend|virtual|extern|operator|co_return|co_yield|co_await)\b)"
+    r"[A-Za-z_]\w*(?:<[^;{}()]{0,200}>)?(?:::[A-Za-z_]\w*(?:<[^;{}()]{0,200}>)?){0,5}(?:\s+const)?"
+    r"(?:\s*(?:\*{1,2}|&(?!&))|(?<=auto)\s?&&)\s*(?:const\s+)?[A-Za-z_]\w*)"
+    r"\(((?:[^();{}]|\((?:[^();{}]|\([^();{}]{0,200}\)){0,200}\)){1,300})\)(?=\s*;)"
+)
+_EXPRESSION: Final = re.compile(
+    r"\s*(?:[*&!~\-+\d\"'(]|(?:new|this|nullptr|NULL|true|false|(?:static|dynamic|const|reinterpret)_cast)\b"
+    r"|(?!(?:bool|char|short|int|long|float|double|unsigned|signed|void|auto)\b)[A-Za-z_][\w:]*(?:\[|\.|->|\())"
+)
+"""How an expression begins that is no parameter."""
 _MOST: Final = 1_000
 """So long is what `decltype` names, at most."""
 
@@ -105,6 +118,7 @@ def suited(text: str) -> str:
         text = _DELETE.sub(r"\1 \2 ", text)
     if "0" in text:
         text = _ZERO.sub(r"\1+", text)
+    text = _DIRECT.sub(_initialised, text)
     text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", _TABLE.sub(r"\1 ", text))
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
@@ -117,6 +131,13 @@ def suited(text: str) -> str:
     if "template" in text:
         text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_nothing, text))
     return text
+
+
+def _initialised(found: re.Match[str]) -> str:
+    """`T & name(a.b);` begins as `T & name = a.b;` does: the grammar takes it for a product, or a function."""
+    within = found[2]
+    plain = _EXPRESSION.match(within) and "=" not in within and "..." not in within
+    return f"{found[1]}={within} " if plain and not _last_comma(f"{within})", 0) else found[0]
 
 
 def _last_operands(text: str) -> str:

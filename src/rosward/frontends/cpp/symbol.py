@@ -14,7 +14,7 @@ from rosward.frontends.cpp import patterns
 from rosward.frontends.cpp.declarators import dense, inner, spelled, template_parameter_name
 from rosward.frontends.cpp.lower import entry as lower
 from rosward.frontends.cpp.marks import function_of, marks_of, words_of
-from rosward.frontends.cpp.outline import CLASSES, Declared, has_variables, is_scoped, local, members
+from rosward.frontends.cpp.outline import CLASSES, Declared, enumeration_name, has_variables, is_scoped, local, members
 from rosward.frontends.cpp.parse import Parsed
 from rosward.frontends.cpp.patterns import arguments, has_const, parameter_nodes, parameters
 from rosward.frontends.cpp.written import DefaultArgument, Written
@@ -186,10 +186,10 @@ class CppSymbol:
         """Of an enumerator, the dotted name of its enumeration; '' where that has none."""
         listed = self.declared.node.parent if self.kind is SymbolKind.ENUMERATOR else None
         node = listed.parent if listed is not None else None
-        name = node.child_by_field_name("name") if node is not None else None
-        if node is None or name is None:
+        name = enumeration_name(node) if node is not None else ""
+        if node is None or not name:
             return ""
-        scope = self.scope if is_scoped(node) else (*self.scope, spelled(name).last.name)
+        scope = self.scope if is_scoped(node) else (*self.scope, name)
         return ".".join(scope)
 
     @cached_property

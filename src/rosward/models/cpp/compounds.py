@@ -17,6 +17,7 @@ from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
+from rosward.models.cpp.boxes import is_open, unboxed
 from rosward.models.cpp.characters import as_kept
 from rosward.models.cpp.containers import element_from, made_of, place_of
 from rosward.models.cpp.conversions import NULLOPT, convert, default_value, is_empty_optional, new_container
@@ -109,6 +110,7 @@ def _get(call: NativeCall) -> Value:
 
 
 def _apart(machine: Machine, value: Value) -> list[tuple[Value, Value]]:
+    value = unboxed(machine, value)
     held = read(machine, value)
     return [(value, held)] if len(options(held)) == 1 else [(option, option) for option in options(held)]
 
@@ -146,7 +148,10 @@ def _alternative(machine: Machine, place: Value, held: Value, wanted: Value, err
         return raises(machine, *error)
     if fits is None:
         may_raise(machine, *error)
-        return Unknown(held.reasons, hint_of(wanted)) if isinstance(held, Unknown) else held
+        if isinstance(held, Unknown):
+            return Unknown(held.reasons, hint_of(wanted))
+        is_one = isinstance(held, Ref) and machine.obj(held).cls == wanted
+        return held if is_one or not is_open(machine, held) else unknown_from(machine, "get", hint_of(wanted), held)
     return place if isinstance(place, Slot) else held
 
 
@@ -158,10 +163,15 @@ def _may_be(machine: Machine, item: Value, type_: Value) -> bool:
 
 def is_of_type(machine: Machine, value: Value, type_: Value) -> bool | None:
     """Whether a variant holds a value of a type, as far as values tell."""
-    value = read(machine, value)
+    value = read(machine, unboxed(machine, value))
+    if len(options(value)) > 1:
+        answers = {is_of_type(machine, option, type_) for option in options(value)}
+        return answers.pop() if len(answers) == 1 else None
     shape = shape_of(type_)
     if isinstance(value, Ref):
         cls = machine.obj(value).cls
+        if is_open(machine, value):
+            return None
         if isinstance(cls, Class) or isinstance(type_, Class):
             return type_ in cls.mro if isinstance(cls, Class) else False
         return cls == type_ or (None if shape_of(cls) is shape else False)
@@ -176,7 +186,7 @@ def _holds(call: NativeCall) -> Value:
     types = _types(call)
     answers: set[bool | None] = {
         is_of_type(call.machine, option, types[0]) if types else None
-        for option in options(read(call.machine, call.args[0]))
+        for option in options(read(call.machine, unboxed(call.machine, call.args[0])))
     }
     decided = answers.pop() if len(answers) == 1 else None
     return (
@@ -199,15 +209,17 @@ def _get_if(call: NativeCall) -> Value:
     """std::get_if<T>(&variant): a pointer to what it holds, or nullptr."""
     machine, types = call.machine, _types(call)
     pointer = read(machine, call.args[0])
-    target = pointer.target if isinstance(pointer, Pointer) else pointer
+    place = pointer.target if isinstance(pointer, Pointer) else pointer
+    target = unboxed(machine, place)
     fits = is_of_type(machine, target, types[0]) if types else None
-    found = pointer if isinstance(pointer, Pointer) else Pointer(target)
+    found = pointer if isinstance(pointer, Pointer) and target is place else Pointer(target)
     return found if fits else NONE if fits is False else join(found, NONE)
 
 
 def _visit(call: NativeCall) -> Value:
     """std::visit(callable, variants…)."""
-    return call.machine.call(read(call.machine, call.args[0]), call.args[1:])
+    machine = call.machine
+    return machine.call(read(machine, call.args[0]), tuple([unboxed(machine, each) for each in call.args[1:]]))
 
 
 def _apply(call: NativeCall) -> Value:

@@ -223,6 +223,13 @@ def _erase(call: NativeCall) -> Value:
     return join_all(results) if results else _lost(call)
 
 
+def _extract(call: NativeCall) -> Value:
+    """What is under a key, taken out: nobody follows where it is put."""
+    taken = unknown_from(call.machine, "extract", "", read(call.machine, call.args[0]))
+    _erase(call)
+    return taken
+
+
 def _erase_between(machine: Machine, ref: Ref, first: Value, last: Value) -> None:
     keys = keys_in_order(machine, ref)
     a, b = as_iterator(first), as_iterator(last)
@@ -296,6 +303,7 @@ _METHODS: Final[dict[str, NativeFunction]] = {
     "insert": _insert,
     **dict.fromkeys(("emplace", "emplace_hint", "try_emplace", "insert_or_assign"), _emplace),
     "erase": _erase,
+    "extract": _extract,
     "clear": _clear,
     **dict.fromkeys(("lower_bound", "upper_bound"), _bound),
     "merge": _merge,

@@ -278,6 +278,7 @@ def _compared_numbers(op: str, left: Const, right: Const) -> Value:
     if isinstance(a, int) and isinstance(b, int):  # beside the largest `size_t`, -1 is that number
         a = a + _WRAP if a < 0 and b >= _WRAP // 2 else a
         b = b + _WRAP if b < 0 and a >= _WRAP // 2 else b
+        a, b = int(a), int(b)  # an operator asks for no type
     return Const(_ORDER[op](a, b), origins(left, right))
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import External, Partial
+from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.series import Series, concatenated
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import NONE, Const, Ref, Text, Value
@@ -28,7 +28,7 @@ from rosward.models.python.containers import dicts
 from rosward.models.python.containers.lists import write_series
 from rosward.models.python.plain import MAX_ITEMS, int_of, text_of, unknown_from
 
-__all__ = ["INSERTERS", "emit", "is_whole", "place", "places", "rewrite", "whole_text"]
+__all__ = ["INSERTERS", "emit", "is_inserter", "is_whole", "place", "places", "rewrite", "whole_text"]
 
 INSERTERS: Final = ("std.back_inserter", "std.front_inserter", "std.inserter", "std.ostream_iterator")
 
@@ -146,6 +146,11 @@ def _of_strings(type_: Value) -> bool:
 # Output
 
 
+def is_inserter(value: Value) -> bool:
+    """Whether a value is what `std::back_inserter` and the like give."""
+    return isinstance(value, Partial) and isinstance(value.function, External) and value.function.name in INSERTERS
+
+
 def emit(machine: Machine, out: Value, series: Series) -> Value:
     """What an output iterator takes; gives the iterator behind it."""
     out = read(machine, out)
@@ -191,7 +196,12 @@ def _insert_into(machine: Machine, kind: str, ref: Ref, series: Series) -> None:
     cls = obj.cls
     if obj.kind == "dict":
         for pair in (*series.head, *series.tail, *(() if series.middle is None else options(series.middle))):
-            first, second = (read(machine, Slot(read(machine, pair), "field", name)) for name in ("first", "second"))
+            if isinstance(pair, Tuple) and len(pair.items) == 2:
+                first, second = pair.items
+            else:
+                first, second = (
+                    read(machine, Slot(read(machine, pair), "field", name)) for name in ("first", "second")
+                )
             dicts.store(machine, ref, key_of(machine, first), copied(machine, second), weak=not series.exact)
         return
     fresh = for_each(machine, series, lambda v: element_from(machine, cls, v))

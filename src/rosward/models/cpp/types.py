@@ -86,7 +86,7 @@ _STD: Final[dict[str, Shape]] = {
     **dict.fromkeys(("set", "unordered_set", "multiset", "unordered_multiset"), Shape.SET),
     **dict.fromkeys(("map", "unordered_map"), Shape.MAP),
     **dict.fromkeys(("multimap", "unordered_multimap"), Shape.MULTIMAP),
-    **dict.fromkeys(("variant", "any", "monostate"), Shape.ANY),
+    **dict.fromkeys(("variant", "any"), Shape.ANY),
     **dict.fromkeys(("size_t", "ssize_t", "ptrdiff_t", "byte", "streamsize", "time_t", "errc", "intmax_t"), Shape.INT),
     **dict.fromkeys(("uintptr_t", "intptr_t", "uintmax_t", "max_align_t", "clock_t"), Shape.INT),
     **{

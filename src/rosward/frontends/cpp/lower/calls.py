@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Final, Literal
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.initialisers import arguments, construct, given
 from rosward.frontends.cpp.lower.names import last_part, name, of_parts, parts_of, template_arguments
-from rosward.frontends.cpp.lower.operators import choose, target, through_pointer
+from rosward.frontends.cpp.lower.operators import binary, choose, target, through_pointer
 from rosward.frontends.cpp.lower.seen import declared, is_constant
-from rosward.frontends.cpp.lower.survey import through_member, word
+from rosward.frontends.cpp.lower.survey import through_member, through_number, word
 from rosward.frontends.cpp.lower.types import REFERENCES, TYPES, has, type_of
 from rosward.frontends.cpp.macros import EITHER
 from rosward.ir.core import NO_REGISTER
@@ -84,7 +84,16 @@ def _broken(node: Node) -> bool:
     return node.has_error and any(child.is_error for child in node.children)
 
 
-def _method(body: Body, node: Node, function: Node, listed: Node | None, want: Want) -> int:
+def _binary(body: Body, node: Node, want: Want) -> int:
+    """`o.f<1>(a)` reads like a comparison."""
+    found = through_number(node)
+    if found is None:
+        return binary(body, node, want)
+    function, number, listed = found
+    return _method(body, node, function, listed, want, number)
+
+
+def _method(body: Body, node: Node, function: Node, listed: Node | None, want: Want, number: Node | None = None) -> int:
     field = function.child_by_field_name("field")
     if field is None:
         return body.unknown(node, "syntax")
@@ -95,6 +104,8 @@ def _method(body: Body, node: Node, function: Node, listed: Node | None, want: W
     if written is not None and len(written.parts) > 1:  # `o.Base::f()`
         scope = of_parts(body, field, written._replace(parts=written.parts[:-1]), "value")
     chosen = None if types is None else template_arguments(body, types)
+    if number is not None:
+        chosen = (body.value(number),)
     those = arguments(body, listed)
     place = body.place(field)
     through = word(function.child_by_field_name("operator")) == "->"
@@ -225,6 +236,7 @@ _SPECIAL: Final[dict[str, Callable[[Body, Node, Node | None, Want], int]]] = {
 
 
 EXPRESSIONS: Final = {
+    "binary_expression": _binary,
     "call_expression": _call,
     "cast_expression": _c_cast,
     "identifier": name,

@@ -29,9 +29,10 @@ from rosward.frontends.cpp.lower.types import (
     within,
 )
 from rosward.frontends.cpp.lower.variables import Variable
+from rosward.frontends.cpp.lower.vexing import arguments_in, meant, referent
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.core import NO_REGISTER, Binary
-from rosward.ir.cpp import Argued, Convert, Destructure, Invoke, Item, StaticLocal
+from rosward.ir.cpp import Convert, Destructure, StaticLocal
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -80,12 +81,16 @@ def variable(
             body.unknown(declarator, "syntax")
     what: Node | Given | None = value
     if value is None and shape.type in FUNCTIONS:
-        listed = _vexing(shape)
+        listed = arguments_in(shape)
         if listed is None:
             return None  # a function, found by its name
         inner = within(shape)
         shape = inner if inner is not None else shape
-        what = Given(tuple(_meant(body, each) for each in listed), "paren")
+        what = Given(tuple(meant(body, each) for each in listed), "paren")
+    if value is None and shape.type == "reference_declarator":
+        what = value = referent(shape)
+        if value is None and has(shape, FUNCTIONS):
+            return None
     name = _name(shape)
     if name is None:
         body.unknown(declarator, "syntax")
@@ -198,65 +203,9 @@ def _referred(body: Body, node: Node, type_node: Node | None, shape: Node, value
     if value is None:
         return body.unknown(node, "syntax")
     auto = type_node is None or type_node.type in _AUTO
-    if auto or is_lvalue(value) or value.type in ("call_expression", "conditional_expression"):
+    if auto or is_lvalue(value) or value.type in ("call_expression", "conditional_expression", "type_identifier"):
         return body.slot(value)
     return construct(body, node, declared_type(body, type_node, shape), given(body, value, copy=True))
-
-
-def _vexing(declarator: Node) -> list[Node] | None:
-    """The arguments in `Guard guard(mutex);`, which reads like the declaration of a function; None where it is one."""
-    listed = declarator.child_by_field_name("parameters")
-    found = listed.named_children if listed is not None else []
-    for each in found:
-        if each.type != "parameter_declaration" or any(child.type == "type_qualifier" for child in each.children):
-            return None
-        type_node, inner = each.child_by_field_name("type"), each.child_by_field_name("declarator")
-        named = type_node is not None and type_node.type in ("type_identifier", "qualified_identifier", "template_type")
-        if not named or (inner is not None and inner.type not in _MEANT):
-            return None
-    return found or None
-
-
-_MEANT: Final = frozenset({"abstract_function_declarator", "abstract_array_declarator"})
-
-
-def _meant(body: Body, node: Node) -> Argued:
-    """What such a parameter is as an argument: `a`, `a::b`, `A()`, `std::move(a)`, `a[1]`."""
-    type_node, inner = node.child_by_field_name("type"), node.child_by_field_name("declarator")
-    if type_node is None:
-        return Argued(body.unknown(node, "syntax"))
-    if inner is None:
-        variable = body.variable(word(type_node))
-        if variable is not None and variable.buffer:
-            return Argued(body.value(type_node), "value")
-        return Argued(body.slot(type_node), "slot")
-    if inner.type == "abstract_array_declarator":
-        return Argued(_element(body, body.slot(type_node), inner), "slot")
-    listed, given_ = inner.child_by_field_name("parameters"), _vexing(inner)
-    if given_ is None and listed is not None and listed.named_children:
-        return Argued(body.unknown(node, "syntax"))
-    function = body.slot(type_node)
-    arguments = tuple(_meant(body, each) for each in given_ or ())
-    dst = body.register()
-    body.emit(Invoke(*body.place(node), dst, function, arguments))
-    return Argued(dst, "result")
-
-
-def _element(body: Body, src: int, node: Node) -> int:
-    """The slot of `a[1][2]`, of which the brackets read like those of an array."""
-    indices: list[Node] = []
-    here: Node | None = node
-    while here is not None and here.type == "abstract_array_declarator":
-        size = here.child_by_field_name("size")
-        if size is None:
-            return body.unknown(node, "syntax")
-        indices.append(size)
-        here = here.child_by_field_name("declarator")
-    for index in reversed(indices):
-        dst = body.register()
-        body.emit(Item(*body.place(node), dst, src, body.value(index), slot=True))
-        src = dst
-    return src
 
 
 def bind(body: Body, node: Node, shape: Node, names: Node, src: int) -> None:

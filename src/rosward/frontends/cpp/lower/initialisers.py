@@ -37,9 +37,23 @@ def _designated(node: Node) -> tuple[str, Node]:
 
 
 def arguments(body: Body, node: Node | None) -> tuple[Argued, ...]:
-    """Those in an `argument_list`."""
+    """Those in an `argument_list`, or in brackets that read like those of an expression."""
     listed = node.named_children if node is not None else []
+    if node is not None and node.type == "parenthesized_expression":
+        listed = _between_commas(listed)
     return tuple(_argued(body, child) for child in listed if child.type != "comment")
+
+
+def _between_commas(nodes: list[Node]) -> list[Node]:
+    found: list[Node] = []
+    waiting = [*reversed(nodes)]
+    while waiting:
+        node = waiting.pop()
+        if node.type == "comma_expression":
+            waiting += [*reversed(node.named_children)]
+        else:
+            found.append(node)
+    return found
 
 
 def _argued(body: Body, node: Node) -> Argued:

@@ -13,7 +13,7 @@ from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import last_part, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.narrowing import COMPARE, condition, conjunction, split
 from rosward.frontends.cpp.lower.seen import is_constant, seen_scope
-from rosward.frontends.cpp.lower.survey import operator_of, through_member, word
+from rosward.frontends.cpp.lower.survey import is_apart, operator_of, through_member, word
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
 from rosward.ir.arithmetic import common
@@ -53,7 +53,7 @@ _UNSIGNED: Final = frozenset({"size_t", "uint64_t", "unsigned long", "unsigned l
 """Those that may be left but by what is taken away."""
 
 
-def _binary(body: Body, node: Node, want: Want) -> int:
+def binary(body: Body, node: Node, want: Want) -> int:
     """Chains that lean to the left (`a + b + c`) are walked in a loop: generated code has thousands of links."""
     if operator_of(node) in ("&&", "||"):
         return conjunction(body, node, operator_of(node)).register
@@ -62,7 +62,7 @@ def _binary(body: Body, node: Node, want: Want) -> int:
         return body.given(node, through_pointer(body, node, pair), want)
     chain = [node]
     left = node.child_by_field_name("left")
-    while left is not None and left.type == "binary_expression" and not left.has_error and not through_member(left):
+    while left is not None and left.type == "binary_expression" and not left.has_error and not is_apart(left):
         chain.append(left)
         left = left.child_by_field_name("left")
     counted = _counted(chain[-1])
@@ -373,7 +373,6 @@ def _operator_name(body: Body, node: Node, want: Want) -> int:
 
 
 EXPRESSIONS: Final = {
-    "binary_expression": _binary,
     "unary_expression": _unary,
     "conditional_expression": _conditional,
     "comma_expression": _comma,

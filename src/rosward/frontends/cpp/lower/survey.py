@@ -102,6 +102,26 @@ def through_member(node: Node) -> tuple[Node, Node] | None:
     return (left, inner) if inner is not right else None
 
 
+def is_apart(node: Node) -> bool:
+    """Whether an expression with two sides is none of operators that are asked one after the other."""
+    return through_member(node) is not None or through_number(node) is not None
+
+
+_CONSTANTS: Final = frozenset({"number_literal", "char_literal", "true", "false"})
+
+
+def through_number(node: Node) -> tuple[Node, Node, Node] | None:
+    """The member, the argument of its template and what is given of `o.f<1>(a)`, which the parser reads as `(o.f < 1) > (a)`."""
+    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+    if node.type != "binary_expression" or left is None or right is None or left.type != "binary_expression":
+        return None
+    function, number = left.child_by_field_name("left"), left.child_by_field_name("right")
+    if function is None or number is None or function.type != "field_expression" or number.type not in _CONSTANTS:
+        return None
+    is_call = right.type == "parenthesized_expression" and operator_of(node) == ">" and operator_of(left) == "<"
+    return (function, number, right) if is_call else None
+
+
 def _leave(lambdas: list[tuple[Node, dict[str, None]]], placed: set[str]) -> None:
     """What a lambda uses, the one around it uses as well; what it captures by reference has a place."""
     node, names = lambdas.pop()
@@ -129,6 +149,8 @@ def _placed(node: Node, kind: str) -> Iterator[str]:
     elif kind == "binary_expression":
         operator = node.child_by_field_name("operator")
         yield from named(node.child_by_field_name("left") if through_member(node) is not None else None)
+        numbered = through_number(node)
+        yield from _receiver(numbered[0] if numbered is not None else None)
         if operator is not None and operator.type in {">>", "<<"}:
             yield from named(node.child_by_field_name("left"))
             if operator.type == ">>":
@@ -143,10 +165,19 @@ def _placed(node: Node, kind: str) -> Iterator[str]:
             yield from named(node.child_by_field_name("right"))
     elif kind == "declaration":
         yield from _vexing(node)
+    elif kind in _CHANGES:  # `(more ? a : b) = 1`, `(x += 1) *= 2`
+        changed = node.child_by_field_name(_CHANGES[kind])
+        yield from named(changed if changed is not None and changed.type in _AROUND else None)
     elif kind in _VALUES:
         yield from named(node.child_by_field_name("value") or node.child_by_field_name("right"))
     elif kind == "parameter_pack_expansion":
         yield from named(node.child_by_field_name("pattern"))
+
+
+_CHANGES: Final = {"assignment_expression": "left", "update_expression": "argument"}
+_AROUND: Final = frozenset(
+    {"parenthesized_expression", "conditional_expression", "assignment_expression", "update_expression"}
+)
 
 
 def _assigned(node: Node, kind: str) -> Iterator[str]:
@@ -170,8 +201,12 @@ def _receiver(function: Node | None) -> Iterator[str]:
 
 
 def _vexing(node: Node) -> Iterator[str]:
-    """`Guard guard(mutex);` reads like the declaration of a function."""
-    waiting = [d for d in node.children_by_field_name("declarator") if d.type == "function_declarator"]
+    """`Guard guard(mutex);` reads like the declaration of a function, as does `Lamp & other(lamp);`."""
+    shapes = [
+        d.named_children[-1] if d.type == "reference_declarator" and d.named_children else d
+        for d in node.children_by_field_name("declarator")
+    ]
+    waiting = [d for d in shapes if d.type == "function_declarator"]
     for _ in range(_LOOKED_AT):
         if not waiting:
             return

@@ -14,7 +14,7 @@ from typing import Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Tuple
-from rosward.domain.enumerated import Whole
+from rosward.domain.enumerated import Whole, same_number
 from rosward.domain.series import Series
 from rosward.domain.slots import Enumerated
 from rosward.domain.text import matches, parts_of
@@ -171,7 +171,7 @@ def equal(machine: Machine, left: Value, right: Value, depth: int = MAX_DEPTH) -
     if isinstance(left, Const) and isinstance(right, Const):
         if left.origins or right.origins:
             _compared_defaults(machine, left, right)
-        return bool(left.value == right.value)
+        return same_number(left.value, right.value)
     if isinstance(left, Unknown) or isinstance(right, Unknown):
         if _is_variable(left) or _is_variable(right):
             differs = machine.log.variables.equal(left, right) is False

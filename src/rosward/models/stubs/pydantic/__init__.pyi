@@ -425,7 +425,10 @@ def _fill(self, data, given=None):
         else:
             value = info.made(values)
             if value is _MISSING:
-                raise ValidationError(name)
+                # pydantic 1, which Ubuntu has up to 24.04, takes None for what may be None
+                if info.shape[0] != 'union' or ('none',) not in info.shape[1:] or unknown('call', 'whether pydantic is of version 1', 'bool'):
+                    raise ValidationError(name)
+                value = None
             if info.validate_default or config.get('validate_default') or _always(cls, name):
                 value = _checked(cls, name, info, value, config, values)
         values[name] = value

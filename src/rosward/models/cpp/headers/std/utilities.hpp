@@ -3,6 +3,11 @@
 
 namespace std
 {
+// What a variant holds that holds nothing.
+struct monostate {};
+inline bool operator==(const monostate &, const monostate &) {return true;}
+inline bool operator!=(const monostate &, const monostate &) {return false;}
+
 template<size_t N>
 class bitset
 {

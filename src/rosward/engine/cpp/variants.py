@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What do the methods of a variant or `any` do that holds an object of a class: `spec.emplace<Topic>("scan")`, `spec.index()`?"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from rosward.domain.slots import TypeOf
+from rosward.domain.unknown import Cause
+from rosward.domain.values import FALSE, UNBOUND, Ref, Value
+from rosward.engine.cpp import as_type, construct, names, operators
+from rosward.engine.cpp.linked import linked
+from rosward.models.cpp.boxes import unboxed
+from rosward.models.cpp.compounds import alternative
+from rosward.models.cpp.types import method_types
+from rosward.models.python.plain import int_of
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["of_variant"]
+
+
+def of_variant(
+    machine: Engine,
+    slot: Value,
+    value: Value,
+    name: str,
+    args: tuple[Value, ...],
+    types: tuple[Value, ...],
+    declared: Callable[[], Value] | None,
+) -> Value | None:
+    """What a call gives that is one of a variant or `any`; None where it is not, as far as that can be told."""
+    if name == "index" and declared is not None and not args:
+        return alternative(machine, value, declared())
+    if name == "valueless_by_exception":
+        return FALSE
+    return _emplaced(machine, slot, value, args, types, declared) if name == "emplace" and types else None
+
+
+def _emplaced(
+    machine: Engine,
+    slot: Value,
+    value: Value,
+    args: tuple[Value, ...],
+    types: tuple[Value, ...],
+    declared: Callable[[], Value] | None,
+) -> Value | None:
+    info = linked(machine).info(machine.obj(value).cls) if isinstance(value, Ref) else None
+    if info is not None:
+        if names.in_class(machine, info, "emplace") is not None:
+            return None
+    elif any(machine.library.native(f"{each}.emplace") is not None for each in method_types(machine, value)):
+        return None
+    type_, number = types[0], int_of(types[0])
+    if number is not None:
+        whole = declared() if declared is not None else None
+        known = whole.arguments if isinstance(whole, TypeOf) else ()
+        type_ = known[number] if number < len(known) else machine.unknown(Cause.CALL, "emplace")
+    made = construct.make(machine, type_, args, "paren")
+    made = made if made is UNBOUND else as_type.convert(machine, made, type_, "init")
+    if made is UNBOUND or operators.assign(machine, "=", slot, made) is UNBOUND:
+        return UNBOUND
+    return unboxed(machine, slot)

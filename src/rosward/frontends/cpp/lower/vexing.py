@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is a declaration that reads like that of a function: `Guard guard(mutex);`, `Lamp & other(lamp);`?"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.frontends.cpp.lower.body import Body
+from rosward.frontends.cpp.lower.survey import word
+from rosward.frontends.cpp.lower.types import FUNCTIONS, within
+from rosward.ir.cpp import Argued, Invoke, Item
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+__all__ = ["arguments_in", "meant", "referent"]
+
+
+def referent(shape: Node) -> Node | None:
+    """`lamp` in `Lamp & other(lamp);`, which reads like the declaration of a function."""
+    inner = within(shape)
+    listed = arguments_in(inner) if inner is not None and inner.type in FUNCTIONS else None
+    if listed is None or len(listed) > 1 or listed[0].child_by_field_name("declarator") is not None:
+        return None
+    return listed[0].child_by_field_name("type")
+
+
+def arguments_in(declarator: Node) -> list[Node] | None:
+    """The arguments in `Guard guard(mutex);`, which reads like the declaration of a function; None where it is one."""
+    listed = declarator.child_by_field_name("parameters")
+    found = listed.named_children if listed is not None else []
+    for each in found:
+        if each.type != "parameter_declaration" or any(child.type == "type_qualifier" for child in each.children):
+            return None
+        type_node, inner = each.child_by_field_name("type"), each.child_by_field_name("declarator")
+        named = type_node is not None and type_node.type in ("type_identifier", "qualified_identifier", "template_type")
+        if not named or (inner is not None and inner.type not in _MEANT):
+            return None
+    return found or None
+
+
+_MEANT: Final = frozenset({"abstract_function_declarator", "abstract_array_declarator"})
+
+
+def meant(body: Body, node: Node) -> Argued:
+    """What such a parameter is as an argument: `a`, `a::b`, `A()`, `std::move(a)`, `a[1]`."""
+    type_node, inner = node.child_by_field_name("type"), node.child_by_field_name("declarator")
+    if type_node is None:
+        return Argued(body.unknown(node, "syntax"))
+    if inner is None:
+        variable = body.variable(word(type_node))
+        if variable is not None and variable.buffer:
+            return Argued(body.value(type_node), "value")
+        return Argued(body.slot(type_node), "slot")
+    if inner.type == "abstract_array_declarator":
+        return Argued(_element(body, body.slot(type_node), inner), "slot")
+    listed, given_ = inner.child_by_field_name("parameters"), arguments_in(inner)
+    if given_ is None and listed is not None and listed.named_children:
+        return Argued(body.unknown(node, "syntax"))
+    function = body.slot(type_node)
+    arguments = tuple(meant(body, each) for each in given_ or ())
+    dst = body.register()
+    body.emit(Invoke(*body.place(node), dst, function, arguments))
+    return Argued(dst, "result")
+
+
+def _element(body: Body, src: int, node: Node) -> int:
+    """The slot of `a[1][2]`, of which the brackets read like those of an array."""
+    indices: list[Node] = []
+    here: Node | None = node
+    while here is not None and here.type == "abstract_array_declarator":
+        size = here.child_by_field_name("size")
+        if size is None:
+            return body.unknown(node, "syntax")
+        indices.append(size)
+        here = here.child_by_field_name("declarator")
+    for index in reversed(indices):
+        dst = body.register()
+        body.emit(Item(*body.place(node), dst, src, body.value(index), slot=True))
+        src = dst
+    return src

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// std: algorithms that ask several ranges in turn, and those of numbers.
+
+namespace std
+{
+template<class A, class B, class Out>
+Out set_intersection(A a, A last_a, B b, B last_b, Out out)
+{
+  while (a != last_a && b != last_b) {
+    if (*a < *b) {
+      ++a;
+    } else {
+      if (!(*b < *a)) {
+        *out++ = *a++;
+      }
+      ++b;
+    }
+  }
+  return out;
+}
+template<class A, class B, class Out>
+Out set_difference(A a, A last_a, B b, B last_b, Out out)
+{
+  while (a != last_a) {
+    if (b == last_b || *a < *b) {
+      *out++ = *a++;
+    } else {
+      if (!(*b < *a)) {
+        ++a;
+      }
+      ++b;
+    }
+  }
+  return out;
+}
+template<class A, class B, class Out>
+Out set_symmetric_difference(A a, A last_a, B b, B last_b, Out out)
+{
+  while (a != last_a || b != last_b) {
+    if (b == last_b || (a != last_a && *a < *b)) {
+      *out++ = *a++;
+    } else if (a == last_a || *b < *a) {
+      *out++ = *b++;
+    } else {
+      ++a;
+      ++b;
+    }
+  }
+  return out;
+}
+template<class A, class B, class Out>
+Out set_union(A a, A last_a, B b, B last_b, Out out)
+{
+  while (a != last_a || b != last_b) {
+    if (b == last_b || (a != last_a && *a < *b)) {
+      *out++ = *a++;
+    } else {
+      if (a != last_a && !(*b < *a)) {
+        ++a;
+      }
+      *out++ = *b++;
+    }
+  }
+  return out;
+}
+template<class A, class B, class Out>
+Out merge(A a, A last_a, B b, B last_b, Out out)
+{
+  while (a != last_a || b != last_b) {
+    if (b == last_b || (a != last_a && !(*b < *a))) {
+      *out++ = *a++;
+    } else {
+      *out++ = *b++;
+    }
+  }
+  return out;
+}
+template<class A, class B, class T>
+T inner_product(A a, A last_a, B b, T start)
+{
+  for (; a != last_a; ++a, ++b) {
+    start = start + *a * *b;
+  }
+  return start;
+}
+template<class A, class Out>
+Out partial_sum(A a, A last_a, Out out)
+{
+  if (a == last_a) {
+    return out;
+  }
+  auto sum = *a;
+  *out++ = sum;
+  for (++a; a != last_a; ++a) {
+    sum = sum + *a;
+    *out++ = sum;
+  }
+  return out;
+}
+template<class A, class Out>
+Out adjacent_difference(A a, A last_a, Out out)
+{
+  if (a == last_a) {
+    return out;
+  }
+  auto before = *a;
+  *out++ = before;
+  for (++a; a != last_a; ++a) {
+    auto here = *a;
+    *out++ = here - before;
+    before = here;
+  }
+  return out;
+}
+template<class M, class N>
+int gcd(M m, N n)
+{
+  while (n != 0) {
+    auto rest = m % n;
+    m = n;
+    n = rest;
+  }
+  return m < 0 ? -m : m;
+}
+template<class M, class N>
+int lcm(M m, N n) {return m == 0 || n == 0 ? 0 : m / gcd(m, n) * n;}
+}  // namespace std
