@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join_all, lost_behaviour, options, reasons_of
+from rosward.domain.choice import join, join_all, lost_behaviour, options, reasons_of
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series, concatenated
@@ -172,8 +172,14 @@ def _call_external(machine: Engine, function: External, args: Arguments, keyword
     if len(args) == 1 and not keywords and not asks and args[0].__class__ in (Function, Class):
         # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
         assignment.open_up(machine, args[0])
-        return args[0]
+        made = machine.unknown(Cause.CALL, function.name)
+        return join(args[0], made) if args[0].__class__ is Function and _names_class(function.name) else args[0]
     return machine.unknown(Cause.CALL, function.name)
+
+
+def _names_class(name: str) -> bool:
+    """Whether what has this name is a class, by custom: `Depends(get_node)` may be an object that only keeps the function."""
+    return name.rpartition(".")[2][:1].isupper()
 
 
 def call_native(machine: Engine, name: str, args: Arguments, keywords: Keywords) -> Value:
