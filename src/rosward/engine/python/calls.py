@@ -179,7 +179,9 @@ def _call_external(machine: Engine, function: External, args: Arguments, keyword
 def _made_of(machine: Engine, name: str, given: Value) -> Value:
     """What a function of a library that is not known makes of a function or class."""
     made = machine.unknown(Cause.CALL, name)
-    if isinstance(given, Function):  # `Depends(get_node)`, by its name a class, may be an object that only keeps the function
+    if isinstance(
+        given, Function
+    ):  # `Depends(get_node)`, by its name a class, may be an object that only keeps the function
         return join(given, made) if name.rpartition(".")[2][:1].isupper() else given
     if not isinstance(given, Class) or _decorates(machine, given):
         return given
