@@ -20,7 +20,7 @@ from rosward.ros.entities import assumed_label
 from rosward.source.standard_library import STANDARD_LIBRARY
 from rosward.source.workspace import ExecutableKind, SourceFile, Workspace
 
-_WITHOUT_NODES: Final = ("numpy", "yaml")
+_WITHOUT_NODES: Final = ("numpy", "yaml", "fastapi", "uvicorn")
 """Modelled libraries that are not Python's own and know nothing of ROS."""
 
 
