@@ -12,6 +12,7 @@ import ast
 from collections.abc import Iterable, Mapping
 from typing import Final, TypeGuard
 
+from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Tuple
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
@@ -195,7 +196,10 @@ def _parameters(call: NativeCall) -> Value:
 def _call_with(call: NativeCall) -> Value:
     """inspect._call_with(function, args, names, values): function(*args, **dict(zip(names, values))), without a dict that others may share."""
     machine, (function, *given) = call.machine, call.exactly(4)
-    args, names, values = (part.items if isinstance(part, Tuple) else () for part in given)
+    args, names, values = (part.items if isinstance(part, Tuple) else None for part in given)
+    if args is None or names is None or values is None or len(options(function)) > 1:  # several functions, say
+        machine.escape((function,), call.name)
+        return machine.unknown(Cause.CALL, call.name)
     words = (str(name.value) for name in names if isinstance(name, Const))
     return machine.call(function, args, dict(zip(words, values, strict=False)))
 
