@@ -49,6 +49,7 @@ NOT_RUN: Final = {
     "messages: An interface package with a module of its own": "its interfaces are not built",
     "messages: What a message of the workspace does not have": "its interfaces are not built",
     "import_path: Folders without a file in a package": "its package is not installed",
+    "modules: A package that names itself, beside a program": "its program is in a folder",
     "invalid: Packages for ROS 1": "its packages are for ROS 1",
     "invalid: A package for both": "its package is not built",
     "run_by_library: What the wrapper of curses calls": "there is no terminal",

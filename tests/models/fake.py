@@ -153,8 +153,11 @@ class FakeMachine(FakeProcess):
         assert answered is None
         raise AssertionError((callback, args, event))
 
-    def spin(self) -> None:
-        raise AssertionError
+    def spin(self, *, serving: bool = False) -> None:
+        raise AssertionError(serving)
+
+    def waits(self) -> None:
+        """No thread spins beside it."""
 
     def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:  # noqa: ARG002
         self.findings.append(code)

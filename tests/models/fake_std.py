@@ -180,8 +180,11 @@ class FakeMachine(FakeProcess):
         assert event, args
         self.scheduled.append(callback)
 
-    def spin(self) -> None:
+    def spin(self, *, serving: bool = False) -> None:  # noqa: ARG002
         self.scheduled.clear()
+
+    def waits(self) -> None:
+        """No thread spins beside it."""
 
     def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:  # noqa: ARG002
         self.findings.append((code, message))

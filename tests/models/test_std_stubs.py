@@ -234,7 +234,10 @@ def test_context_managers() -> None:
 def test_single_dispatch_registers_each_class() -> None:
     """Which body runs is up to the model in code; here the last one that fits."""
 
-    def choose(registered: list[tuple[type, Callable[..., str]]], value: object) -> Callable[..., str]:
+    def choose(
+        registered: list[tuple[type, Callable[..., str]]], functions: list[Callable[..., str]], value: object
+    ) -> Callable[..., str]:
+        assert len(functions) <= len(registered)
         fitting = [body for cls, body in registered if isinstance(value, cls)]
         return fitting[-1]
 

@@ -8,7 +8,7 @@ file that no other imports, of which nothing else starts    probed: runs the fil
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 from rosward.analysis.source_tree import SourceTree
@@ -21,8 +21,8 @@ from rosward.source.standard_library import STANDARD_LIBRARY
 from rosward.source.workspace import ExecutableKind, SourceFile, Workspace
 
 _WITHOUT_NODES: Final = (
-    *("attr", "attrs", "beartype", "click", "numpy", "pydantic", "pydantic_settings"),
-    *("toml", "tomli", "typeguard", "typing_extensions", "yaml"),
+    *("attr", "attrs", "beartype", "click", "fastapi", "numpy", "pydantic", "pydantic_settings"),
+    *("toml", "tomli", "typeguard", "typing_extensions", "uvicorn", "yaml"),
 )
 """Modelled libraries that are not Python's own and know nothing of ROS."""
 
@@ -134,8 +134,7 @@ def _related(
             top = name.lstrip(".").partition(".")[0]
             if not name.startswith(".") and (_is_ros(top, library) or _is_interfaces(name)):
                 related.add(file)
-            found = _follow(name, file, sources)
-            if found:
+            for found in _follow(name, file, sources):
                 importers.setdefault(found, set()).add(file)
     work = list(related)
     while work:
@@ -146,11 +145,15 @@ def _related(
     return related & set(files)
 
 
-def _follow(name: str, file: str, sources: SourceTree) -> str:
-    """The source file that an import name leads to, '' where it leads out of the sources."""
-    level = len(name) - len(name.lstrip("."))
-    found = sources.find(name.lstrip("."), level, file)
-    return found.file if found is not None else ""
+def _follow(name: str, file: str, sources: SourceTree) -> Iterator[str]:
+    """The source files that an import runs: that of the module and those of the packages around it; none where it leads out of the sources."""
+    bare = name.lstrip(".")
+    level = len(name) - len(bare)
+    while found := sources.find(bare, level, file):
+        yield found.file
+        bare = bare.rpartition(".")[0]
+        if not bare:
+            return
 
 
 def _is_ros(top: str, library: Library) -> bool:

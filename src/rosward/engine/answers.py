@@ -218,9 +218,13 @@ class Answers:
         """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
         schedule.add(self, callback, None if args is None else tuple(args), event, place, answered)
 
-    def spin(self: Engine) -> None:
+    def spin(self: Engine, *, serving: bool = False) -> None:
         """Everything scheduled may run here."""
-        schedule.spin(self)
+        schedule.spin(self, serving=serving)
+
+    def waits(self: Engine) -> None:
+        """The program waits here for something that takes time."""
+        schedule.waits(self)
 
     def variables(self: Engine, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives here."""

@@ -16,10 +16,12 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Partial, Tuple
+from rosward.domain.heap import Obj
 from rosward.domain.slots import Pointer
 from rosward.domain.values import Class, Const, Function, Ref, Unknown, Value
 from rosward.engine import declared, named
 from rosward.engine.havoc import change, contents, holds_node
+from rosward.engine.wrapped import calls_program, leads_to_program
 from rosward.models.python.contents import CONTENTS
 from rosward.models.readers import creates_nothing, only_reads
 
@@ -54,7 +56,7 @@ def may_call(machine: Engine, values: Iterable[Value]) -> None:
     """Functions of the program reach a library that is described: it may call them, later, with anything."""
     for value in values:
         for option in options(value):
-            if isinstance(option, (Function, BoundMethod, Partial)) and not _is_library(option):
+            if isinstance(option, (Function, BoundMethod, Partial)) and _runs_program(machine, option):
                 machine.schedule(option, None, BY_LIBRARY)
 
 
@@ -77,8 +79,14 @@ def _reach(machine: Engine, value: Value, library: str, callee: Value | None, de
     for option in options(value):
         option = option.target if isinstance(option, Pointer) else option  # noqa: PLW2901 - what a pointer leads to
         if isinstance(option, (Function, BoundMethod, Partial)):
-            if not _is_library(option):
+            if _runs_program(machine, option):
                 machine.schedule(option, None, BY_LIBRARY)
+            elif library and _creates_on_node(machine, option):
+                machine.report(
+                    "RW202",
+                    f"a method that creates entities is passed to {library}; what that creates is unknown",
+                    (_cause(library, callee),),
+                )
         elif isinstance(option, Class):
             if not option.stub:
                 machine.trace.handed.setdefault(option, machine.place)
@@ -99,12 +107,29 @@ def _is_library(value: Value) -> bool:
     return not isinstance(value, Function) or declared.is_model(value)
 
 
+def _runs_program(machine: Engine, value: Value) -> bool:
+    return not _is_library(value) or leads_to_program(machine, value)
+
+
+def _creates_on_node(machine: Engine, value: Value) -> bool:
+    """Whether a value is a method of a node by which entities are created."""
+    while isinstance(value, Partial):
+        value = value.function
+    return (
+        isinstance(value, BoundMethod)
+        and isinstance(value.function, Function)
+        and value.function.code.name in machine.library.facts.creating
+        and any(isinstance(one, Ref) and machine.is_node(one.address) for one in options(value.receiver))
+    )
+
+
 def _reach_object(machine: Engine, ref: Ref, library: str, callee: Value | None, depth: int, seen: set[int]) -> None:
     obj = machine.obj(ref)
     if obj.kind == "generator":
         machine.schedule(ref, (), BY_LIBRARY)
     elif obj.kind == "instance":
         machine.trace.handed.setdefault(ref, machine.place)
+        _reach_wrapper(machine, ref, obj)
         if not library:
             return  # it knows nothing of ROS
         is_node = machine.is_node(ref.address)
@@ -119,3 +144,14 @@ def _reach_object(machine: Engine, ref: Ref, library: str, callee: Value | None,
     elif depth < _DEPTH:
         for item in contents(obj):
             _reach(machine, item, library, callee, depth + 1, seen)
+
+
+def _reach_wrapper(machine: Engine, ref: Ref, obj: Obj) -> None:
+    """An object of a model may be called where that runs the program, and what stands still in one (`contextmanager`) may go on."""
+    if not isinstance(obj.cls, Class) or not obj.cls.stub:
+        return
+    if calls_program(machine, obj):
+        machine.schedule(ref, None, BY_LIBRARY)
+    for held in obj.attrs.values():
+        if isinstance(held, Ref) and machine.obj(held).kind == "generator":
+            machine.schedule(held, (), BY_LIBRARY)

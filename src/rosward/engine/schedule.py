@@ -70,6 +70,7 @@ def add(
             entry.answered = answered
             if event == "thread" and not book.running:
                 _start(machine, entry)
+                waits(machine)
         if machine.watch is not None and key in book.entries:
             machine.watch.schedule(machine, book.entries[key])
 
@@ -121,10 +122,14 @@ def _context(machine: Engine, callback: Value, event: str) -> int:
     return machine.context("later callback", code, event, machine.place)
 
 
-def spin(machine: Engine) -> None:
-    """Run everything until neither the heap nor the schedule changes; the machine's state becomes the join of all that may be."""
+def spin(machine: Engine, *, serving: bool = False) -> None:
+    """Run everything until neither the heap nor the schedule changes; the machine's state becomes the join of all that may be.
+
+    `serving`: it is the client library that spins, not a wait for what others do.
+    """
     book = machine.schedule_book
     if book.running:
+        book.beside = book.beside or (serving and book.event == "thread")
         return
     book.spins += 1
     if book.settled != (len(book.entries), machine.state.version):
@@ -135,6 +140,15 @@ def spin(machine: Engine) -> None:
         machine.unheld = set()
         book.settled = (len(book.entries), machine.state.version)
     _throw(machine)
+
+
+def waits(machine: Engine) -> None:
+    """The main body waits: what a thread spins beside it may run meanwhile."""
+    book = machine.schedule_book
+    if not book.running:
+        machine.summaries.asked += 1  # it depends on which threads there are
+        if book.beside:
+            spin(machine)
 
 
 def uncaught(machine: Engine, exception: Value) -> None:

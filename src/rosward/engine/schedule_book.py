@@ -33,6 +33,7 @@ class Schedule:
         "_main_raised",
         "_threads_raised",
         "asked",
+        "beside",
         "by_library",
         "entries",
         "event",
@@ -47,6 +48,7 @@ class Schedule:
         self.entries: dict[object, Scheduled] = {}
         self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
         self.running = False
+        self.beside = False  # a thread was started that spins: callbacks run wherever the main body waits
         self.by_library = False  # something that the program handed out may be called by a library
         self._main_raised: Value = UNBOUND
         self._threads_raised: Value = UNBOUND

@@ -180,9 +180,12 @@ def _name(function: Value) -> str:
     return function.name if isinstance(function, (Native, External)) else ""
 
 
+_SPINNING: Final = (Const("spins"), Const("waits"))
+
+
 def _spins(function: Value) -> bool:
     if isinstance(function, Native):
         return function.name == "_rosward.spin"
     return isinstance(function, Function) and any(
-        isinstance(e, Tuple) and e.items[0] == Const("spins") for e in function.effects
+        isinstance(e, Tuple) and e.items[0] in _SPINNING for e in function.effects
     )

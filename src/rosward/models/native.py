@@ -205,8 +205,11 @@ class Machine(Execution, Protocol):
     def schedule(self, callback: Value, args: Sequence[Value], event: str, *, answered: Value | None = None) -> None:
         """Something (a timer, a message, a thread) may call `callback` from now on, any number of times; `answered` is given its results."""
 
-    def spin(self) -> None:
-        """Everything that is scheduled may run here, in any order, any number of times."""
+    def spin(self, *, serving: bool = False) -> None:
+        """Everything that is scheduled may run here, in any order, any number of times; `serving`: because the client library spins."""
+
+    def waits(self) -> None:
+        """The program waits here: if one of its threads spins, everything that is scheduled may run."""
 
     def variables(self, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives where the call stands: a dict."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.choice import reasons_of
+from rosward.domain.choice import options, reasons_of
 from rosward.domain.unknown import OTHERS, OUTSIDE, Cause, Reason, causes_of
 from rosward.domain.values import Value
 from rosward.findings import Finding, doubtful
 from rosward.holes import with_stars
 from rosward.naming.command_line import UNKNOWN_ARGUMENTS
-from rosward.naming.options import NameOption
+from rosward.naming.options import NameOption, interface_type
 from rosward.ros.entities import Entity, Resolution
 from rosward.rules import MADE_ANEW
 from rosward.source.location import Place
@@ -99,5 +99,7 @@ def unknown_arguments(reasons: tuple[Reason, ...], place: Place) -> Finding:
 
 
 def unknown_type(kind: str, name: str, value: Value, place: Place) -> Finding:
-    """An entity whose interface type is not known."""
-    return _doubt("RW104", f"the type of the {kind} {name} is unknown", reasons_of(value), place)
+    """An entity whose interface type is not known: why, what is a type among the alternatives does not say."""
+    others = [option for option in options(value) if interface_type(option) is None]
+    reasons = tuple(dict.fromkeys(reason for option in others for reason in reasons_of(option)))
+    return _doubt("RW104", f"the type of the {kind} {name} is unknown", reasons or reasons_of(value), place)

@@ -15,7 +15,7 @@ from rosward.domain.choice import options, reasons_of
 from rosward.domain.compound import External
 from rosward.domain.text import common, origins_of, pattern
 from rosward.domain.unknown import INSTEAD, Cause, Origins, Reason
-from rosward.domain.values import Const, Text, Value
+from rosward.domain.values import NONE, Class, Const, Text, Unknown, Value
 from rosward.holes import HOLE, Holed
 from rosward.records import NamedTuple
 from rosward.ros.entities import Resolution
@@ -134,5 +134,25 @@ def interface_type(value: Value) -> str | None:
 
 
 def interface_types(value: Value) -> tuple[str | None, ...]:
-    """The types that a value may be, each once."""
-    return tuple(dict.fromkeys(interface_type(o) for o in options(value)))
+    """The types that a value may be, each once; without what the client library refuses, where it may be a type as well.
+
+    try: from std_msgs.msg import String
+    except ImportError: class String: …         no type
+    """
+    several = options(value)
+    fitting = [o for o in several if not _is_no_type(o)]
+    return tuple(dict.fromkeys(interface_type(_type_behind(o)) for o in fitting or several))
+
+
+def _type_behind(value: Value) -> Value:
+    """A subclass of an interface type stands for it: the client library asks for what it inherits."""
+    if not isinstance(value, Class):
+        return value
+    return next((base for base in value.mro if interface_type(base) is not None), value)
+
+
+def _is_no_type(value: Value) -> bool:
+    """Whether a value is surely no interface type: None, or a class of which all is known."""
+    if isinstance(value, Class):
+        return not any(isinstance(base, (External, Unknown)) for base in value.mro)
+    return value == NONE

@@ -178,7 +178,8 @@ class ImportResolver:
         if top in BUILT_IN or not all(parts):
             return None
         folder = os.fspath(importer.path.parent)
-        inside = self._layout.python_root(folder, importer.package) != folder  # a module of a Python package
+        own = self._layout.python_root(folder, importer.package)
+        inside = own != folder  # a module of a Python package
         script = os.fspath(importer.path) in self._scripts or not inside
         nearest: ImportTarget | None = None
         if script:
@@ -187,7 +188,8 @@ class ImportResolver:
                 nearest = self._beside(parts, importer) or nearest
             if nearest is not None and nearest.file is not None:
                 return nearest
-        roots = [*self._roots[importer.package], *self._other_roots(top, importer.path)]
+        itself = [own] if inside and folder[len(own) + 1 :].partition(os.sep)[0] == top else []  # its own package
+        roots = [*self._roots[importer.package], *itself, *self._other_roots(top, importer.path)]
         if importer.package is None:  # a single file, say: what lies around it
             roots = [self._layout.python_root(folder, None), *roots]
         found = self._first(dict.fromkeys(roots), parts, package=importer.package)

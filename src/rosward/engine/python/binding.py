@@ -12,7 +12,7 @@ from rosward.domain.choice import join
 from rosward.domain.compound import Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Const, Function, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Function, Unknown, Value
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.source.location import Place
 
@@ -98,7 +98,8 @@ def _missing(
     if loose is not None:
         return join(default if default is not None else UNBOUND, loose)
     if default is not None:
-        return default
+        # who calls from outside gives what has no value yet (`event=None`), not what a function keeps for itself (`i=i`)
+        return default if anything is None or default != NONE or _nobody(anything) else join(default, anything)
     if anything is not None:
         return Unknown((Reason(Cause.CALLER, name, Place(code.file, code.line)),)) if _nobody(anything) else anything
     raise BadCallError(f"argument {name} is missing")

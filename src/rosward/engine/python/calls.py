@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join_all, lost_behaviour, options, reasons_of
+from rosward.domain.choice import join, join_all, lost_behaviour, options, reasons_of
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series, concatenated
@@ -20,7 +20,7 @@ from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.catcher import LIBRARY
 from rosward.engine.escape import escape, name_of
-from rosward.engine.python import assignment, attributes, classes, members, native_calls, object_methods
+from rosward.engine.python import assignment, attributes, classes, hidden_fields, members, native_calls, object_methods
 from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.throwing import note, note_call
@@ -172,8 +172,30 @@ def _call_external(machine: Engine, function: External, args: Arguments, keyword
     if len(args) == 1 and not keywords and not asks and args[0].__class__ in (Function, Class):
         # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
         assignment.open_up(machine, args[0])
-        return args[0]
+        return _made_of(machine, function.name, args[0])
     return machine.unknown(Cause.CALL, function.name)
+
+
+def _made_of(machine: Engine, name: str, given: Value) -> Value:
+    """What a function of a library that is not known makes of a function or class."""
+    made = machine.unknown(Cause.CALL, name)
+    if isinstance(
+        given, Function
+    ):  # `Depends(get_node)`, by its name a class, may be an object that only keeps the function
+        return join(given, made) if name.rpartition(".")[2][:1].isupper() else given
+    if not isinstance(given, Class) or _decorates(machine, given):
+        return given
+    initialiser = members.lookup(machine, given, "__init__")
+    if isinstance(initialiser, Function) and not initialiser.code.is_model:
+        return made
+    ref = machine.allocate(Obj("instance", given))  # `tyro.cli(Options)`: one that holds anything
+    hidden_fields.give(machine, given, ref, (made,), {})
+    return ref
+
+
+def _decorates(machine: Engine, cls: Class) -> bool:
+    """Whether the call that is carried out stands above a class, as a decorator does."""
+    return machine.place.file == cls.place.file and machine.place.line < cls.place.line
 
 
 def call_native(machine: Engine, name: str, args: Arguments, keywords: Keywords) -> Value:

@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.compound import BoundMethod, Descriptor
+from rosward.domain.compound import BoundMethod, Descriptor, Partial
 from rosward.domain.heap import Obj
 from rosward.domain.values import Class, Function, Ref, Value
+from rosward.engine.wrapped import calls_program
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -31,5 +32,10 @@ def own_methods(machine: Engine, cls: Class, ref: Ref) -> Iterator[tuple[str, Va
                     continue
                 if value.__class__ is Function:
                     yield name, BoundMethod(ref, value)
-                elif value.__class__ is Descriptor and value.kind in ("staticmethod", "classmethod"):
-                    yield name, machine.language.bind(machine, value, ref, cls)
+                elif value.__class__ is Descriptor:
+                    if value.kind in ("staticmethod", "classmethod"):
+                        yield name, machine.language.bind(machine, value, ref, cls)
+                    elif value.getter.__class__ is Function:
+                        yield name, BoundMethod(ref, value.getter)
+                elif value.__class__ is Ref and calls_program(machine, machine.obj(value)):
+                    yield name, Partial(value, (ref,), ())

@@ -18,7 +18,7 @@ from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join, jo
 from rosward.domain.compound import Native, Range, Slice, Tuple
 from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.series import Series, joined
-from rosward.domain.text import MAX_LENGTH, make
+from rosward.domain.text import MAX_LENGTH, make, readable
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.models.native import Arguments, Items, Machine, MissingArgumentError, NativeCall, NativeFunction
@@ -350,3 +350,12 @@ def evaluate(
     if not affordable(machine, what, operands):
         return machine.unknown(Cause.LIMIT, what, hint)
     return from_python(machine, run(function, *operands), origins(*values), what)
+
+
+def key_shown(value: Value) -> str:
+    """A key that is not there, as the error of Python says it."""
+    if isinstance(value, Tuple):
+        return f"({', '.join(map(key_shown, value.items))})"
+    if isinstance(value, Const):
+        return repr(value.value)
+    return readable(value) if isinstance(value, (Text, Unknown)) else "…"

@@ -82,6 +82,11 @@ def _spin(call: NativeCall) -> Value:
     return NONE
 
 
+def _sleep(call: NativeCall) -> Value:
+    call.machine.waits()
+    return NONE
+
+
 def _unknown(call: NativeCall) -> Value:
     label = text_of(call.args[0]).upper().replace(" ", "_")
     cause = Cause[label] if label in Cause.__members__ else Cause.CALL
@@ -149,6 +154,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "rclpy.utilities.remove_ros_args": _remove_ros_args,
     "_rosward.schedule": _schedule,
     "_rosward.spin": _spin,
+    "time.sleep": _sleep,
     "_rosward.unknown": _unknown,
     "_rosward.default": _default,
     "_rosward.either": _either,

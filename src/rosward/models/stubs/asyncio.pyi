@@ -73,6 +73,19 @@ class Task(Future):
     def result(self):
         return _wait(self._coro)
 
+class _Executed(Future):
+    """What a thread of a pool runs."""
+    def __init__(self, func, args):
+        super().__init__()
+        self._func = func
+        self._args = args
+        schedule(self._run, event='thread')
+    def _run(self):
+        self._result = self._func(*self._args)
+    def result(self):
+        spin()
+        return self._func(*self._args)
+
 @reads_only
 class Handle:
     def cancel(self) -> None: ...
@@ -103,11 +116,7 @@ class AbstractEventLoop:
         schedule(callback, *args, event='loop')
         return TimerHandle()
     def run_in_executor(self, executor, func, *args):
-        future = Future()
-        def run():
-            future.set_result(func(*args))
-        schedule(run, event='thread')
-        return future
+        return _Executed(func, args)
     def add_reader(self, fd, callback, *args):
         schedule(callback, *args, event='loop')
     def add_writer(self, fd, callback, *args):
@@ -187,10 +196,12 @@ def isfuture(obj) -> bool: ...
 async def sleep(delay, result=None):
     return result
 async def gather(*coros_or_futures, return_exceptions=False):
-    for one in coros_or_futures:
-        ensure_future(one)
+    tasks = [ensure_future(one) for one in coros_or_futures]
     spin()
-    return [unknown('live', 'result of a task') for one in coros_or_futures]
+    results = [await one for one in tasks]
+    if return_exceptions:
+        return [unknown('live', 'result of a task') if unknown('live', 'exception of a task', 'bool') else one for one in results]
+    return results
 async def wait(fs, *, timeout=None, return_when=ALL_COMPLETED):
     tasks = {ensure_future(one) for one in fs}
     spin()

@@ -29,6 +29,8 @@ class Enum:
 class ReprEnum(Enum):
     def __str__(self):
         return str(self._value_)
+    def __format__(self, spec):
+        return format(self._value_, spec)
 class IntEnum(ReprEnum):
     def __str__(self):
         return str(self._value_)

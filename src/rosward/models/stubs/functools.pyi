@@ -75,12 +75,13 @@ def cmp_to_key(mycmp):
 @native
 def _classes(cls, skip): ...
 @native
-def _choose(registered, value): ...
+def _choose(registered, functions, value): ...
 
 class _Dispatched:
     """A function with one body for each type of its first argument; `_registered` are pairs of class and function."""
     def __init__(self, func, skip):
         self._registered = [(object, func)]
+        self._functions = [func]
         self._skip = skip
         self.func = func
         self.__name__ = func.__name__
@@ -92,16 +93,17 @@ class _Dispatched:
             func = cls
         for one in _classes(cls, self._skip):
             self._registered.append((one, func))
+        self._functions.append(func)
         return func
     def dispatch(self, cls):
-        return either(*[func for _, func in self._registered])
+        return either(*self._functions)
     def __call__(self, *args, **kwargs):
-        return _choose(self._registered, args[0])(*args, **kwargs)
+        return _choose(self._registered, self._functions, args[0])(*args, **kwargs)
 
 class _DispatchedMethod(_Dispatched):
     def __get__(self, obj, cls=None):
         def method(*args, **kwargs):
-            return _choose(self._registered, args[0])(obj, *args, **kwargs)
+            return _choose(self._registered, self._functions, args[0])(obj, *args, **kwargs)
         return method
 
 def singledispatch(func):

@@ -17,6 +17,8 @@ def _absolute(path): ...
 def _expanduser(path): ...
 @native
 def _read_text(path): ...
+@native
+def _glob(path): ...
 
 class PurePath:
     """A path; all kinds are POSIX paths here."""
@@ -143,7 +145,8 @@ class Path(PurePath):
     def iterdir(self):
         return self._below()
     def glob(self, pattern):
-        return self._below()
+        for name in _glob(_join((self._text, pattern))):
+            yield Path(name)
     def rglob(self, pattern):
         return self._below()
     @reads_only

@@ -122,6 +122,7 @@ def _print(call: NativeCall) -> Value:
 
 
 def _input(call: NativeCall) -> Value:
+    call.machine.waits()
     return call.machine.unknown(Cause.INPUT, "input", "str")
 
 

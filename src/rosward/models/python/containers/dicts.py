@@ -19,7 +19,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.contents import bare, plain_data
 from rosward.models.python.operators.compare import compares, equal, row_of
-from rosward.models.python.plain import Raised, all_of, native, origins, unknown_from, with_origins
+from rosward.models.python.plain import Raised, all_of, key_shown, native, origins, unknown_from, with_origins
 from rosward.records import NamedTuple
 
 MAX_ENTRIES: Final = 2_000
@@ -97,7 +97,7 @@ def load(machine: Machine, ref: Ref, index: Value) -> Value:
     """dict[index]."""
     found = look_up(machine, machine.obj(ref), index)
     if found.missing and found.value is UNBOUND:
-        raise Raised("KeyError", repr(index), (index,))
+        raise Raised("KeyError", key_shown(index), (index,))
     return found.value
 
 
@@ -306,7 +306,7 @@ def _pop(call: NativeCall) -> Value:
     has_default = len(call.args) > 2
     obj = call.machine.obj(ref)
     if not has_default and look_up(call.machine, obj, call.args[1]).missing:
-        raise Raised("KeyError", repr(call.args[1]), (call.args[1],))
+        raise Raised("KeyError", key_shown(call.args[1]), (call.args[1],))
     found = take(call.machine, ref, call.args[1])
     return join(found.value, call.args[2]) if has_default and found.missing is not False else found.value
 

@@ -16,7 +16,7 @@ from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.dicts import key_of
 from rosward.models.python.containers.lists import add_to_rest, element, write
 from rosward.models.python.operators.compare import compares, row_of
-from rosward.models.python.plain import Raised, listed, native, unknown_from
+from rosward.models.python.plain import Raised, key_shown, listed, native, unknown_from
 
 FROZEN: Final = Native("builtins.frozenset")
 _OPERATORS: Final = {"union": "|", "intersection": "&", "difference": "-", "symmetric_difference": "^"}
@@ -139,7 +139,7 @@ def _discard(call: NativeCall) -> Value:
         return NONE
     left = [v for v in items if _key(machine, v) != key]
     if len(left) == len(items) and call.name.endswith("remove"):
-        raise Raised("KeyError", repr(call.args[1]), (call.args[1],))
+        raise Raised("KeyError", key_shown(call.args[1]), (call.args[1],))
     write(machine, ref, left)
     return NONE
 

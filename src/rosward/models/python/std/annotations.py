@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterable, Mapping
-from typing import Final
+from typing import Final, TypeGuard
 
+from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Tuple
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
@@ -81,6 +82,20 @@ def _unknown(machine: Machine) -> Value:
     return machine.unknown(Cause.OPERATION, "annotation")
 
 
+def _is_annotated(tree: ast.expr) -> TypeGuard[ast.Subscript]:
+    return isinstance(tree, ast.Subscript) and ast.unparse(tree.value).rpartition(".")[2] == "Annotated"
+
+
+def _evaluated(machine: Machine, module: ModuleValue, tree: ast.expr) -> Value:
+    """A part of `Annotated[…]`: a name, or a call of one with names (`Depends(get_node)`)."""
+    if isinstance(tree, ast.Call) and not tree.keywords:
+        return machine.call(
+            _evaluated(machine, module, tree.func), tuple(_evaluated(machine, module, part) for part in tree.args)
+        )
+    found = named(machine, module, tree)
+    return found[0] if len(found) == 1 else _unknown(machine)
+
+
 def _meant(machine: Machine, module: ModuleValue, text: str, *, hints: bool) -> Value:
     """What an annotation is when the program runs; what `get_type_hints` makes of it."""
     if not hints and _is_text(machine, module):
@@ -88,10 +103,15 @@ def _meant(machine: Machine, module: ModuleValue, text: str, *, hints: bool) -> 
     if not hints and text[:1] in "'\"":  # a text is evaluated for `get_type_hints` alone
         return Const(text.strip("'\""))
     tree = parsed(text)
-    if hints and isinstance(tree, ast.Subscript) and ast.unparse(tree.value).rpartition(".")[2] == "Annotated":
+    if hints and _is_annotated(tree):
         tree = tree.slice.elts[0] if isinstance(tree.slice, ast.Tuple) and tree.slice.elts else tree
     if not hints and isinstance(tree, ast.Constant) and tree.value is None:
         return NONE
+    if not hints and _is_annotated(tree) and isinstance(tree.slice, ast.Tuple):
+        items = Tuple(tuple(_evaluated(machine, module, part) for part in tree.slice.elts))
+        return machine.call(
+            machine.load_attr(machine.load_attr(machine.load_module("typing"), "Annotated"), "__getitem__"), (items,)
+        )
     plain = isinstance(tree, (ast.Name, ast.Attribute)) or (isinstance(tree, ast.Constant) and tree.value is None)
     found = [unwrapped(machine, f) if hints else f for f in named(machine, module, tree)] if plain else []
     return found[0] if len(found) == 1 else _unknown(machine)
@@ -173,11 +193,31 @@ def _parameters(call: NativeCall) -> Value:
     return Tuple((_tuple(rows), notes.get("return", empty)))
 
 
+def _call_with(call: NativeCall) -> Value:
+    """inspect._call_with(function, args, names, values): function(*args, **dict(zip(names, values))), without a dict that others may share."""
+    machine, (function, *given) = call.machine, call.exactly(4)
+    args, names, values = (part.items if isinstance(part, Tuple) else None for part in given)
+    if args is None or names is None or values is None or len(options(function)) > 1:  # several functions, say
+        machine.escape((function,), call.name)
+        return machine.unknown(Cause.CALL, call.name)
+    words = (str(name.value) for name in names if isinstance(name, Const))
+    return machine.call(function, args, dict(zip(words, values, strict=False)))
+
+
+def _instances(call: NativeCall) -> Value:
+    """inspect._instances(class, value, beside): the value, and what stands beside it, where it surely is of the class."""
+    machine, (cls, value, beside) = call.machine, call.exactly(3)
+    parts = (value, *(beside.items if isinstance(beside, Tuple) else ()))
+    return Tuple(tuple(part for part in parts if machine.is_instance(part, cls)))
+
+
 def _tuple(items: Iterable[Value]) -> Tuple:
     return Tuple(tuple(i for i in items if i is not UNBOUND))
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "inspect._parameters": _parameters,
+    "inspect._call_with": _call_with,
+    "inspect._instances": _instances,
     "typing._hints": _hints,
 }

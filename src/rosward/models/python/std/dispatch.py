@@ -36,13 +36,18 @@ def _classes(call: NativeCall) -> Value:
 
 
 def _choose(call: NativeCall) -> Value:
-    """functools._choose(registered, value): the function for a value; `registered` are pairs of class and function, later ones first."""
+    """functools._choose(registered, functions, value): the function for a value; `registered` are pairs of class and function.
+
+    Of two pairs for one class the later one counts; where not all pairs are known, each of the `functions` may be meant.
+    """
     machine = call.machine
     known, rest = machine.iterate(call.args[0])
     pairs = [p.items for p in known if isinstance(p, Tuple) and len(p.items) == 2]
-    if rest is not None or len(pairs) != len(known):
-        return machine.unknown(Cause.OPERATION, "functools.singledispatch")
-    return lift(lambda value: _for_one(machine, pairs, value), call.args[1])
+    if rest is None and len(pairs) == len(known):
+        return lift(lambda value: _for_one(machine, pairs, value), call.args[2])
+    functions, more = machine.iterate(call.args[1])
+    unknown = machine.unknown(Cause.OPERATION, "functools.singledispatch")
+    return join_all([*functions, *(() if more is None else (more,)), unknown])
 
 
 def _for_one(machine: Machine, pairs: Sequence[tuple[Value, ...]], value: Value) -> Value:

@@ -98,23 +98,28 @@ def _listdir(call: NativeCall) -> Value:
 
 def _glob(call: NativeCall) -> Value:
     """The paths that fit a pattern whose last part alone has wildcards."""
+    return lift(lambda path: _fitting(call, path, hidden=False), _path(call, "pathname"))
 
-    def one(path: Value) -> Value:
-        parts = parts_of(path)
-        last = parts[-1]
-        head, slash, wanted = last.rpartition("/") if isinstance(last, str) else ("", "", "")
-        if not slash or not _MAGIC.isdisjoint(head) or wanted == "**" or len(parts) != 2 or call.keywords:
-            return _unknown_list(call, path)
-        folder = make((*parts[:-1], head), origins_of(path))
-        names = _names(call, folder)
-        fitting = [
-            concat((folder, Const(f"/{name}")))
-            for name in (_beside(call, folder) if names is None else names)
-            if fnmatch.fnmatchcase(name, wanted) and (wanted[:1] == "." or name[:1] != ".")
-        ]
-        return _perhaps(call, path, fitting) if names is None else call.machine.new_list(fitting)
 
-    return lift(one, _path(call, "pathname"))
+def _path_glob(call: NativeCall) -> Value:
+    """pathlib._glob(path): the same, where wildcards stand for a dot, too."""
+    return lift(lambda path: _fitting(call, path, hidden=True), _path(call, "path"))
+
+
+def _fitting(call: NativeCall, path: Value, *, hidden: bool) -> Value:
+    parts = parts_of(path)
+    last = parts[-1]
+    head, slash, wanted = last.rpartition("/") if isinstance(last, str) else ("", "", "")
+    if not slash or not _MAGIC.isdisjoint(head) or wanted == "**" or len(parts) != 2 or call.keywords:
+        return _unknown_list(call, path)
+    folder = make((*parts[:-1], head), origins_of(path))
+    names = _names(call, folder)
+    fitting = [
+        concat((folder, Const(f"/{name}")))
+        for name in (_beside(call, folder) if names is None else names)
+        if fnmatch.fnmatchcase(name, wanted) and (hidden or wanted[:1] == "." or name[:1] != ".")
+    ]
+    return _perhaps(call, path, fitting) if names is None else call.machine.new_list(fitting)
 
 
 def _modules(call: NativeCall) -> Value:
@@ -164,6 +169,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "os.path.isdir": _is_there(files=False, folders=True),
     "os.listdir": _listdir,
     "pkgutil._modules": _modules,
+    "pathlib._glob": _path_glob,
     "glob.glob": _glob,
     "glob.iglob": _glob,
 }

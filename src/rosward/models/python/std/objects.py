@@ -278,6 +278,12 @@ def _yields(call: NativeCall) -> Value:
     return _kinds_known(call) if found is None else Const(found.code.is_generator and not found.code.is_coroutine)
 
 
+def _yields_awaited(call: NativeCall) -> Value:
+    """inspect._yields_awaited(function): whether it is an asynchronous generator function."""
+    found = _function_of(call.args[0]) if call.args else None
+    return _kinds_known(call) if found is None else Const(found.code.is_generator and found.code.is_coroutine)
+
+
 def _awaits(call: NativeCall) -> Value:
     """inspect._awaits(function): whether it is a coroutine function."""
     found = _function_of(call.args[0]) if call.args else None
@@ -306,6 +312,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "inspect._awaits": _awaits,
     "inspect._kind_of": _kind_of,
     "inspect._yields": _yields,
+    "inspect._yields_awaited": _yields_awaited,
     "queue._any": _any_of,
     "queue._alone": _alone,
     "asyncio._any": _any_of,

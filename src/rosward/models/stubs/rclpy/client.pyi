@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import create, either, message, reads_only, resolve_name, sends
+from _rosward import create, either, message, reads_only, resolve_name, sends, waits
 
 from rclpy.service_introspection import ServiceIntrospectionState
 from rclpy.task import Future
@@ -21,6 +21,7 @@ class Client:
         self.qos_profile = qos_profile
         self.callback_group = callback_group
 
+    @waits
     @sends("request", "request", "_node", "srv_name", "srv_type.Request")
     def call(self, request, timeout_sec=None):
         return message(self.srv_type.Response, "response")
@@ -33,7 +34,9 @@ class Client:
 
     def get_pending_request(self, sequence_number) -> Future: ...
     def remove_pending_request(self, future) -> None: ...
+    @waits
     def service_is_ready(self) -> bool: ...
+    @waits
     def wait_for_service(self, timeout_sec=None) -> bool: ...
 
     def configure_introspection(self, clock, service_event_qos_profile, introspection_state):

@@ -6,7 +6,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import IntEnum
 
-from _rosward import calls, raises_nothing, reads_only, source
+from _rosward import calls, raises_nothing, reads_only, source, waits
 
 from rclpy.clock_type import ClockType as ClockType
 from rclpy.context import Context
@@ -68,7 +68,9 @@ class Clock:
     @calls("post_callback", event="time jump", args=("unknown",))
     def create_jump_callback(self, threshold, *, pre_callback=None, post_callback=None) -> JumpHandle: ...
 
+    @waits
     def sleep_until(self, until, context=None) -> bool: ...
+    @waits
     def sleep_for(self, rel_time, context=None) -> bool: ...
 
 

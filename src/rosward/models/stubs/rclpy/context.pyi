@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import calls, init, raises_nothing, reads_only
+from _rosward import calls, init, raises_nothing, reads_only, waits
 
 
 class Context:
@@ -37,6 +37,7 @@ class Context:
         for node in self._nodes:
             node.destroy_node()
     @raises_nothing
+    @waits
     @reads_only
     def ok(self) -> bool: ...
     def shutdown(self):

@@ -39,6 +39,7 @@ from _rosward import (
     stops,
     undeclare_parameter,
     unknown,
+    waits,
 )
 from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterEvent, SetParametersResult
 
@@ -570,6 +571,7 @@ class Node:
     def get_subscriptions_info_by_topic(self, topic_name, no_mangle=False):
         return unknown("live", "subscriptions of a topic")
 
+    @waits
     def wait_for_node(self, fully_qualified_node_name, timeout):
         ask(self, "get_fully_qualified_node_names")
         return unknown("live", "whether the node is there", "bool")

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import reads_only
+from _rosward import reads_only, waits
 
 from rcl_interfaces.msg import ParameterEvent
 from rcl_interfaces.srv import (
@@ -53,6 +53,7 @@ class AsyncParameterClient:
 
     @reads_only
     def services_are_ready(self) -> bool: ...
+    @waits
     @reads_only
     def wait_for_services(self, timeout_sec=None) -> bool: ...
 

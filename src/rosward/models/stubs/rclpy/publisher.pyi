@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import reads_only, resolve_name, sends
+from _rosward import reads_only, resolve_name, sends, waits
 
 from rclpy.duration import Duration
 
@@ -34,6 +34,7 @@ class Publisher:
 
     def destroy(self) -> None: ...
     def assert_liveliness(self) -> None: ...
+    @waits
     def wait_for_all_acked(self, timeout=Duration(seconds=-1)) -> bool: ...
 
     def __enter__(self):

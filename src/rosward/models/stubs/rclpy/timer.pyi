@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import calls, raises_nothing, reads_only, stops
+from _rosward import calls, raises_nothing, reads_only, stops, waits
 
 from rclpy.clock_type import ClockType
 from rclpy.time import Time
@@ -63,4 +63,5 @@ class Rate:
     def __init__(self, timer, *, context):
         self._timer = timer
     def destroy(self) -> None: ...
+    @waits
     def sleep(self) -> None: ...

@@ -6,7 +6,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 import os
 
-from _rosward import native, raises_nothing, reads_only
+from _rosward import native, raises_nothing, reads_only, waits
 
 from rclpy.context import Context
 
@@ -22,6 +22,7 @@ def remove_ros_args(args=None): ...
 
 
 @raises_nothing
+@waits
 @reads_only
 def ok(*, context=None) -> bool: ...
 def shutdown(*, context=None):

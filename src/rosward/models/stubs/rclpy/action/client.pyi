@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask, create, creates, either, message, reads_only, schedule, sends, unknown
+from _rosward import ask, create, creates, either, message, reads_only, schedule, sends, unknown, waits
 
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.service_introspection import ServiceIntrospectionState
@@ -50,6 +50,7 @@ class ClientGoalHandle:
     def status(self) -> int: ...
 
     @sends("cancel", "", "_action_client._node", "_action_client._action_name", "_action_client._action_type")
+    @waits
     def cancel_goal(self): ...
 
     @sends("cancel", "", "_action_client._node", "_action_client._action_name", "_action_client._action_type")
@@ -58,6 +59,7 @@ class ClientGoalHandle:
         future._result = unknown("message", "response to a cancel request")
         return future
 
+    @waits
     def get_result(self):
         return _GetResultResponse(self._action_client._action_type)
 
@@ -99,6 +101,7 @@ class ActionClient(Waitable):
 
     def __exit__(self, t, v, tb) -> None: ...
 
+    @waits
     @sends("goal", "goal", "_node", "_action_name", "_action_type.Goal")
     def send_goal(self, goal, **kwargs):
         if "feedback_callback" in kwargs:
@@ -113,7 +116,9 @@ class ActionClient(Waitable):
         future._result = either(None, ClientGoalHandle(self, goal_uuid, None))
         return future
 
+    @waits
     def server_is_ready(self) -> bool: ...
+    @waits
     def wait_for_server(self, timeout_sec=None) -> bool: ...
 
     def configure_introspection(self, clock, service_event_qos_profile, introspection_state):
