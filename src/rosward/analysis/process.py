@@ -19,7 +19,7 @@ from rosward.effects.flows import ProcessFlows
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect
 from rosward.engine import assumed, handed
 from rosward.engine.arguments import ANY
-from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine.budget import BeginAnewError, Budget, LimitReachedError
 from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
@@ -93,9 +93,17 @@ def _run(library: Library, entry: Entry, budget: Budget, configuration: Configur
 
 
 def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
+    """Follow a process in haste where it creates nothing; without haste, if it turns out that something depends on that."""
+    try:
+        return _follow(library, entry, budget, configuration, hasty=True)
+    except BeginAnewError:
+        return _follow(library, entry, budget, configuration, hasty=False)
+
+
+def _follow(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None, *, hasty: bool) -> Run:
     log = EffectLog(configuration)
     watch = _watch() if budget.flow else None
-    machine = Interpreter(library, budget, log, watch)
+    machine = Interpreter(library, budget, log, watch, hasty=hasty)
     imported = _Imported()
     try:
         if entry.program:
@@ -112,6 +120,8 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
                 place if place.file else Place(entry.file),
             )
         )
+    except BeginAnewError:
+        raise
     except Exception as error:
         log.findings.add(_failed(entry, error, "what the program does after this is missing", net=budget.net))
     done = log.final(machine.state)
@@ -127,6 +137,8 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         log.tell_spun()
     except LimitReachedError as limit:
         log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not analysed", Place(entry.file)))
+    except BeginAnewError:
+        raise
     except Exception as error:
         log.findings.add(_failed(entry, error, "some callbacks were not analysed", net=budget.net))
     log.flows = None if watch is None else _flows(machine, watch, entry, net=budget.net)

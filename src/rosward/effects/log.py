@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Protocol, final
 from rosward.domain.compound import External
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, Ref, Unknown, Value
+from rosward.domain.values import UNBOUND, Choice, Class, Ref, Text, Unknown, Value
 from rosward.effects.sent import SentEffect
 from rosward.effects.variables import Variables
 from rosward.findings import Finding, Findings
@@ -57,8 +57,8 @@ class Execution(Protocol):
     def note_effect(self, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""
 
-    def note_creation(self) -> None:
-        """Here something is created: what runs now is worth to be followed call by call."""
+    def note_creation(self, *, new: bool, exact: bool) -> None:
+        """Here something is created: what runs now is worth to be followed call by call. `exact`: its name and type are known."""
 
     def obj(self, ref: Ref) -> Obj:
         """The heap record behind a reference."""
@@ -114,6 +114,11 @@ class ParameterEffect(NamedTuple):
     place: Place
 
 
+def _known(*values: Value) -> bool:
+    """Whether each of these is one value, wholly known."""
+    return not any(isinstance(value, (Choice, Text, Unknown)) for value in values)
+
+
 @final
 class EffectLog:
     """All effects of one process, each once, in the order in which they were first seen; and what else is worth telling."""
@@ -140,14 +145,14 @@ class EffectLog:
 
     def add_node(self, machine: Execution, effect: NodeEffect) -> None:
         """Record a node."""
-        machine.note_creation()
+        machine.note_creation(new=effect not in self.nodes, exact=_known(effect.name, effect.namespace))
         self.nodes[effect] = None
         self._at.setdefault(effect.address, {})[effect] = None
         self._done(machine, ("node", effect.address))
 
     def add_entity(self, machine: Execution, effect: EntityEffect) -> None:
         """Record an entity."""
-        machine.note_creation()
+        machine.note_creation(new=effect not in self.entities, exact=_known(effect.name, effect.type))
         if effect not in self.entities:
             self.entities[effect] = None
             self.paths[effect] = machine.path
@@ -161,7 +166,7 @@ class EffectLog:
 
     def add_parameter(self, machine: Execution, effect: ParameterEffect) -> None:
         """Record a parameter."""
-        machine.note_creation()
+        machine.note_creation(new=effect not in self.parameters, exact=_known(effect.name))
         self.parameters[effect] = None
 
     @staticmethod
@@ -190,6 +195,11 @@ class EffectLog:
     def tells_once(self) -> bool:
         """Whether it is all the same how often something is recorded: what a launch file does has an order, and stands in another log."""
         return self.launch is None
+
+    @property
+    def made(self) -> int:
+        """How much was recorded that is created."""
+        return len(self.nodes) + len(self.entities) + len(self.parameters)
 
     def count_at(self, address: int) -> int:
         """How many nodes were recorded for the object at an address; 0: it is none."""

@@ -19,7 +19,8 @@ class Budget(NamedTuple):
     `unaware`: those in functions in C++ that know nothing of ROS, before those that take many are no longer followed.
     `entry_coarse`: the steps of one callback after which the same happens; `entry_idle`: those since it began or created something, after which
     it happens at first: a callback that creates something later, or takes `entry_hasty`, is followed once more, without that.
-    `loop_steps`, `loop_idle`: the same for one outermost loop, until it ends, but that it is not followed once more.
+    `loop_steps`, `loop_idle`: the same for one outermost loop, until it ends; where something is created later that may depend on it, the whole
+    process is followed once more.
     `large`: the operations of a body that is then followed once for all its calls.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
     `unroll`: turns of a loop over a known sequence that are followed one by one; `unroll_while`: the same for a `while` whose condition is
@@ -92,3 +93,7 @@ class LimitReachedError(Exception):
 
 class TooHastyError(Exception):
     """A callback creates something after it was followed with less precision, though it has steps left: it is worth to be followed again."""
+
+
+class BeginAnewError(Exception):
+    """The same, but what was done meanwhile cannot be taken back, or something else depends on it: the process is to be followed anew."""

@@ -46,7 +46,15 @@ _OBJECTS_A_STEP: Final = 3  # how many objects are joined in the time of one ste
 class Interpreter(Answers):
     """Runs the code of one process abstractly. Implements `machine.Engine`."""
 
-    def __init__(self, library: SharedLanguages, budget: Budget, log: EffectLog, watch: Watcher | None = None) -> None:
+    def __init__(
+        self,
+        library: SharedLanguages,
+        budget: Budget,
+        log: EffectLog,
+        watch: Watcher | None = None,
+        *,
+        hasty: bool = False,
+    ) -> None:
         self.library = library
         self.budget = budget
         self.log = log
@@ -54,7 +62,7 @@ class Interpreter(Answers):
         self.frames: list[Frame] = []
         self.catchers: list[Catcher] = []
         self.schedule_book = Schedule()
-        self.precision = Precision(budget)
+        self.precision = Precision(budget, hasty=hasty)
         self.trace = Trace()
         self.summaries = Summaries()
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
@@ -136,10 +144,10 @@ class Interpreter(Answers):
         else:
             self.ends = join_states(self.ends, self.state.copy(), self.fresh_version)
 
-    def note_creation(self) -> None:
+    def note_creation(self, *, new: bool, exact: bool) -> None:
         """Here something is created: what runs now is followed call by call, also where precision is given up."""
         self.trace.creating.update(frame.code.key for frame in self.frames)
-        self.precision.note_creation()
+        self.precision.note_creation(new=new, exact=exact)
 
     def note_effect(self, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""

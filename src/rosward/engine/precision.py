@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, final
 
 from rosward.deadline import Deadline
-from rosward.engine.budget import Budget, LimitReachedError, TooHastyError
+from rosward.engine.budget import BeginAnewError, Budget, LimitReachedError, TooHastyError
 from rosward.records import NamedTuple
 from rosward.rules import TIME_LIMIT
 
@@ -52,6 +52,7 @@ class Precision:
         "_begun",
         "_coarse_limit",
         "_created",
+        "_early",
         "_heads",
         "_heavy",
         "_in_callbacks",
@@ -62,8 +63,10 @@ class Precision:
         "budget",
         "coarse",
         "deadline",
+        "doubted",
         "fixpoints",
         "given_up",
+        "hasty",
         "loop_limit",
         "loops",
         "repeated_in_callbacks",
@@ -74,8 +77,13 @@ class Precision:
         "turns",
     )
 
-    def __init__(self, budget: Budget) -> None:
+    def __init__(self, budget: Budget, *, hasty: bool = False) -> None:
         self.budget = budget
+        self.hasty = hasty  # precision is given up early where nothing is created
+        self._early = False  # it was, for a loop of the main body
+        self.doubted: set[int] = (
+            set()
+        )  # the addresses at which callbacks wrote that were followed so, and those that read what they wrote
         self.steps = 0
         self.step_limit = budget.steps
         self.coarse = False  # precision is given up: too many steps were spent
@@ -136,25 +144,40 @@ class Precision:
             if self.coarse and not self._always_coarse:
                 self._heavy.add((frame.code.key, op.number))
                 self._always_coarse = self._in_callbacks  # until the callback ends
+            self._early = self._early or self._gave_up_early()
             if not self._in_callbacks:  # what follows in the main body has its part of what is left
                 left = int((self.step_limit - self.steps) * self.budget.coarse)
                 self._coarse_limit = max(self._coarse_limit, self.steps + left)
             self._set_limit()
             self.coarse = self._always_coarse or self.steps > self.loop_limit
 
-    def note_creation(self) -> None:
-        """Something is created: what runs now is worth its steps. Raises where that comes too late, in a callback."""
+    def note_creation(self, *, new: bool, exact: bool) -> None:
+        """Something is created: what runs now is worth its steps. Raises where that comes too late.
+
+        `new`: it was not known yet; `exact`: its name and type are wholly known.
+        """
         if self.coarse and not self._patient:
             raise TooHastyError
+        doubted = bool(self.doubted) and not self._in_callbacks
+        if new and not exact and (doubted or self._early or self._gave_up_early()):
+            raise BeginAnewError
         self._created = self.steps
         if not self.coarse:
             self._set_limit()
+
+    def _gave_up_early(self) -> bool:
+        """Whether precision is given up for a loop of the main body, for no other reason than that it creates nothing."""
+        if not self.hasty or self._in_callbacks or not self.coarse:
+            return False
+        return self.steps <= min(self._coarse_limit, self._loop_begun + self.budget.loop_steps)
 
     def _set_limit(self) -> None:
         most = self._coarse_limit
         if self.loops:
             begun = self._loop_begun
-            most = min(most, begun + self.budget.loop_steps, max(begun, self._created) + self.budget.loop_idle)
+            most = min(most, begun + self.budget.loop_steps)
+            if self.hasty and not self._in_callbacks:
+                most = min(most, max(begun, self._created) + self.budget.loop_idle)
         self.loop_limit = most if self._patient else min(most, self._created + self.budget.entry_idle)
 
     def rest_of(self, loop: OpKey) -> Rest | None:

@@ -25,6 +25,7 @@ class Scheduled:
         "callback",
         "coarse",
         "context",
+        "doubted",
         "event",
         "exhausted",
         "nodes",
@@ -46,6 +47,9 @@ class Scheduled:
         self.context = context
         self.coarse = False  # it took many steps: from now on it is followed with less precision
         self.patient = False  # it creates something after many steps, or all took too many: it keeps its steps where it creates nothing
+        self.doubted = (
+            False  # what registered it was followed with less precision than it would have been with patience
+        )
         self.answered: Value | None = None  # what is called with each result
         self.exhausted = False  # it hit a limit: it is not run again
         self.runs = 0  # how often it ran
