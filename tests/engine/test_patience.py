@@ -9,6 +9,7 @@ from typing import Final
 import pytest
 
 import rosward
+from rosward.engine.budget import Budget
 from rosward.engine.precision import Precision
 
 _HEAVY: Final = """
@@ -38,27 +39,27 @@ rclpy.spin(Arm())
 """
 
 
-def _started(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
-    """Each beginning of a callback from now on: whether it is followed with patience."""
+def _followed(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
+    """Each time that a process is followed from now on: whether in haste."""
     found: list[bool] = []
-    begin = Precision.begin_callback
+    begin = Precision.__init__
 
-    def noting(self: Precision, *, coarse: bool, patient: bool) -> int:
-        found.append(patient)
-        return begin(self, coarse=coarse, patient=patient)
+    def noting(self: Precision, budget: Budget, *, hasty: bool = False) -> None:
+        found.append(hasty)
+        begin(self, budget, hasty=hasty)
 
-    monkeypatch.setattr(Precision, "begin_callback", noting)
+    monkeypatch.setattr(Precision, "__init__", noting)
     return found
 
 
 def test_what_it_creates_is_known_exactly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "main.py").write_text(_HEAVY, encoding="utf-8")
-    started = _started(monkeypatch)
+    followed = _followed(monkeypatch)
     node = rosward.extract(tmp_path).network.nodes[0]
     names = {str(each.name) for each in node.entities if "joint" in str(each.name)}
     assert names == {f"/joint_{i}/state" for i in range(20)}
     assert [p.name for p in node.parameters if p.name == "rate"] == ["rate"]
-    assert started[:2] == [False, True], "it was followed once more"
+    assert followed[-2:] == [True, False], "it was followed anew"
 
 
 def test_what_creates_nothing_is_not_followed_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -67,10 +68,9 @@ def test_what_creates_nothing_is_not_followed_again(tmp_path: Path, monkeypatch:
         (tmp_path / "main.py").read_text(encoding="utf-8").replace('        self.declare_parameter("rate", 10)\n', "")
     )
     (tmp_path / "main.py").write_text(program, encoding="utf-8")
-    started = _started(monkeypatch)
+    followed = _followed(monkeypatch)
     rosward.extract(tmp_path)
-    assert started
-    assert not any(started)
+    assert followed[-1:] == [True]
 
 
 _TABLE: Final = """

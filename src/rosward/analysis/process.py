@@ -101,9 +101,19 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
 
 
 def _follow(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None, *, hasty: bool) -> Run:
-    log = EffectLog(configuration)
     watch = _watch() if budget.flow else None
-    machine = Interpreter(library, budget, log, watch, hasty=hasty)
+    machine = Interpreter(library, budget, EffectLog(configuration), watch, hasty=hasty)
+    try:
+        return _to_its_end(machine, watch, entry, budget, configuration)
+    finally:
+        if watch is not None:
+            watch.close()
+
+
+def _to_its_end(
+    machine: Interpreter, watch: Watch | None, entry: Entry, budget: Budget, configuration: Configuration | None
+) -> Run:
+    log = machine.log
     imported = _Imported()
     try:
         if entry.program:
@@ -170,8 +180,6 @@ def _flows(machine: Interpreter, watch: Watch, entry: Entry, *, net: bool) -> Pr
     except Exception as error:
         machine.log.findings.add(_failed(entry, error, "any output may hold any input", net=net))
         return ProcessFlows(complete=False)
-    finally:
-        watch.close()
 
 
 def _failed(entry: Entry, error: Exception, missing: str, *, net: bool) -> Finding:

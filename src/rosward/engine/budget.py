@@ -17,10 +17,9 @@ class Budget(NamedTuple):
     `coarse`: the part of the main body's, and of those of all callbacks, after which precision is given up, so that
     what computes much comes to rest: loops are no longer followed turn by turn, nor calls in contexts of their own.
     `unaware`: those in functions in C++ that know nothing of ROS, before those that take many are no longer followed.
-    `entry_coarse`: the steps of one callback after which the same happens; `entry_idle`: those since it began or created something, after which
-    it happens at first: a callback that creates something later, or takes `entry_hasty`, is followed once more, without that.
-    `loop_steps`, `loop_idle`: the same for one outermost loop, until it ends; where something is created later that may depend on it, the whole
-    process is followed once more.
+    `entry_coarse`: the steps of one callback after which the same happens; `loop_steps`: those of one outermost loop, until it ends.
+    `entry_idle`, `loop_idle`: those since something was created, for a process that is followed in haste, as each is at first: where something
+    is created that may depend on it, or a callback takes `entry_hasty`, it is followed anew, without haste.
     `large`: the operations of a body that is then followed once for all its calls.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
     `unroll`: turns of a loop over a known sequence that are followed one by one; `unroll_while`: the same for a `while` whose condition is
@@ -91,9 +90,5 @@ class LimitReachedError(Exception):
         self.place = place
 
 
-class TooHastyError(Exception):
-    """A callback creates something after it was followed with less precision, though it has steps left: it is worth to be followed again."""
-
-
 class BeginAnewError(Exception):
-    """The same, but what was done meanwhile cannot be taken back, or something else depends on it: the process is to be followed anew."""
+    """Something is created, of which a part was followed in haste: the process is to be followed anew, without haste."""

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, final
 
 from rosward.deadline import Deadline
-from rosward.engine.budget import BeginAnewError, Budget, LimitReachedError, TooHastyError
+from rosward.engine.budget import BeginAnewError, Budget, LimitReachedError
 from rosward.records import NamedTuple
 from rosward.rules import TIME_LIMIT
 
@@ -57,8 +57,8 @@ class Precision:
         "_heavy",
         "_in_callbacks",
         "_loop_begun",
-        "_patient",
         "_repeated",
+        "_short",
         "begun",
         "budget",
         "coarse",
@@ -103,7 +103,7 @@ class Precision:
         self._begun = 0  # how many steps there were when these began
         self._created = 0  # how many there were when something was created last, or a callback began
         self._loop_begun = 0  # and when the outermost loop began
-        self._patient = True  # what creates nothing for long keeps its steps
+        self._short = False  # the callback that is running has few steps where it creates nothing
         self._in_callbacks = False
         self._always_coarse = False  # the callback that is running took too many steps when it ran before
         self._coarse_limit = self.loop_limit  # the same, outside of all loops
@@ -113,8 +113,8 @@ class Precision:
         """Something takes as long as this many steps; raises where there are fewer left."""
         self.steps += steps
         if self.steps - self._repeated > self.step_limit:
-            if not self._patient:
-                raise TooHastyError
+            if self._short:
+                raise BeginAnewError
             most = self.budget.entry_steps if self._in_callbacks else self.budget.steps
             raise LimitReachedError(f"more than {most} steps", where.place)
 
@@ -156,8 +156,8 @@ class Precision:
 
         `new`: it was not known yet; `exact`: its name and type are wholly known.
         """
-        if self.coarse and not self._patient:
-            raise TooHastyError
+        if self.coarse and self._short:
+            raise BeginAnewError
         doubted = bool(self.doubted) and not self._in_callbacks
         if new and not exact and (doubted or self._early or self._gave_up_early()):
             raise BeginAnewError
@@ -178,7 +178,7 @@ class Precision:
             most = min(most, begun + self.budget.loop_steps)
             if self.hasty and not self._in_callbacks:
                 most = min(most, max(begun, self._created) + self.budget.loop_idle)
-        self.loop_limit = most if self._patient else min(most, self._created + self.budget.entry_idle)
+        self.loop_limit = min(most, self._created + self.budget.entry_idle) if self._short else most
 
     def rest_of(self, loop: OpKey) -> Rest | None:
         """Where a loop came to rest when it ran last."""
@@ -248,7 +248,7 @@ class Precision:
     @contextmanager
     def callbacks(self) -> Iterator[None]:
         """Callbacks run within: they are in no loop of the main body, which keeps the steps that it has left."""
-        loops, fixpoints, coarse, patient = self.loops, self.fixpoints, self.coarse, self._patient
+        loops, fixpoints, coarse, short = self.loops, self.fixpoints, self.coarse, self._short
         limits = self.step_limit, self._coarse_limit, self.loop_limit, self._created, self._loop_begun
         self.loops = self.fixpoints = 0
         self._in_callbacks, self._begun = True, self.steps
@@ -258,7 +258,7 @@ class Precision:
             spent = self.steps - self._begun
             self.spent += spent
             self._in_callbacks = False
-            self.loops, self.fixpoints, self.coarse, self._patient = loops, fixpoints, coarse, patient
+            self.loops, self.fixpoints, self.coarse, self._short = loops, fixpoints, coarse, short
             self.step_limit, self._coarse_limit, self.loop_limit, self._created, self._loop_begun = (
                 limit + spent for limit in limits
             )
@@ -268,28 +268,19 @@ class Precision:
         """The steps of all callbacks, while they run."""
         return self.spent + self.steps - self._begun
 
-    def begin_callback(self, *, coarse: bool, patient: bool) -> int:
+    def begin_callback(self, *, coarse: bool, short: bool) -> int:
         """A callback begins, with steps of its own; `coarse`: it took too many before. What `end_callback` asks for.
 
-        `patient`: it keeps its steps where it creates nothing for long.
+        `short`: it has few where it creates nothing.
         """
         self.loops = self.fixpoints = 0
-        most = self.budget.entry_steps if patient else self.budget.entry_hasty
+        most = self.budget.entry_hasty if short else self.budget.entry_steps
         self.step_limit = self.steps - self._repeated + most
         self.coarse = self._always_coarse = coarse
         self._coarse_limit = self.steps + self.budget.entry_coarse
-        self._created, self._patient = self.steps, patient
+        self._created, self._short = self.steps, short
         self._set_limit()
         return len(self._heavy)
-
-    @property
-    def heavy(self) -> frozenset[OpKey]:
-        """The outermost loops that took too many steps."""
-        return frozenset(self._heavy)
-
-    def forget_heavy(self, known: frozenset[OpKey]) -> None:
-        """Nothing is known of loops any more but that these take too many steps."""
-        self._heavy &= known
 
     def end_callback(self, heavy: int) -> bool:
         """A callback has ended: whether it took too many steps to be followed as precisely again."""

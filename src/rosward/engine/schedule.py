@@ -16,12 +16,12 @@ from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, Function, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
-from rosward.engine.budget import BeginAnewError, LimitReachedError, TooHastyError
+from rosward.engine.budget import BeginAnewError, LimitReachedError
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
 from rosward.engine.scheduled import Scheduled
 from rosward.engine.throwing import throw
-from rosward.engine.unchanged import circumstances, is_unchanged, remembered
+from rosward.engine.unchanged import is_unchanged, remembered
 from rosward.engine.unheld import arrive, unheld
 from rosward.findings import Finding, Findings
 from rosward.ir.ops import Op
@@ -226,67 +226,36 @@ def _afford(machine: Engine, entry: Scheduled) -> bool:
         entry.exhausted = True
         return False
     if spent > most * budget.coarse:
-        entry.coarse = entry.patient = True
+        entry.coarse = entry.costly = True
     return True
 
 
 def _call(machine: Engine, entry: Scheduled) -> None:
-    """Run a callback; once more from here, with more patience, if it creates something where it is no longer followed precisely.
-
-    What it wrote without that is doubted: what is created where that is read needs the whole process to be followed anew.
-    """
+    """Run a callback. What it wrote in haste is doubted: where something is created of that, the whole process is to be followed anew."""
     book, precision = machine.schedule_book, machine.precision
     book.event = entry.event
     machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
     if not precision.hasty:
-        entry.patient = True
-        _run_once(machine, entry)
+        _run_once(machine, entry, short=False)
         return
     before, entries, made = machine.state.copy(), len(book.entries), machine.log.made
-    if entry.patient:
-        _run_once(machine, entry)
-    else:
-        _run_hastily(machine, entry)
+    _run_once(machine, entry, short=not entry.costly)
     reads_doubted = entry.doubted or not precision.doubted.isdisjoint(machine.asked_for)
     if reads_doubted and machine.log.made != made:
         raise BeginAnewError
-    if reads_doubted or (entry.coarse and not entry.patient):
+    if reads_doubted or (entry.coarse and not entry.costly):
         precision.doubted.update(address for address, _ in machine.state.heap.changed_since(before.heap))
         for each in list(book.entries.values())[entries:]:
             each.doubted = True
 
 
-def _run_hastily(machine: Engine, entry: Scheduled) -> None:
-    before, held_by_nothing, heavy = machine.state.copy(), machine.unheld.copy(), machine.precision.heavy
-    told = _told(machine)
-    try:
-        _run_once(machine, entry)
-    except TooHastyError:
-        if machine.precision.doubted or machine.watch is not None or told != _told(machine):
-            raise BeginAnewError from None
-        entry.coarse, entry.patient = False, True
-        machine.state, machine.unheld = before, held_by_nothing
-        machine.precision.forget_heavy(heavy)
-        _run_once(machine, entry)
-
-
-def _told(machine: Engine) -> tuple[object, ...]:
-    """What tells whether a callback has done anything that is not in the state."""
-    book, log = machine.schedule_book, machine.log
-    opened = sum(map(len, log.open.values())), sum(map(len, log.failures.values()))
-    raised = tuple((exception, state.version) for exception, state in book.raised.items())
-    counts = len(book.entries), len(log.findings), len(log.sent), len(log.spun), len(log.ends), *opened
-    ends = None if machine.ends is None else machine.ends.version
-    return (circumstances(machine), counts, raised, ends)
-
-
-def _run_once(machine: Engine, entry: Scheduled) -> None:
+def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:
     code = Code(CodeKind.FUNCTION, "", "", entry.place.file, entry.place.line, _NO_PARAMETERS, [], 0, (), (), ())
     frame = Frame(code, [], (), machine.library.nowhere, entry.context, False)
     frame.op = Op(entry.place.line, entry.place.column)
     frame.uncertain = 1
     machine.frames.append(frame)
-    heavy = machine.precision.begin_callback(coarse=entry.coarse, patient=entry.patient)
+    heavy = machine.precision.begin_callback(coarse=entry.coarse, short=short)
     try:
         arrive(machine, entry)
         if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":

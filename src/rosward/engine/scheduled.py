@@ -25,11 +25,11 @@ class Scheduled:
         "callback",
         "coarse",
         "context",
+        "costly",
         "doubted",
         "event",
         "exhausted",
         "nodes",
-        "patient",
         "place",
         "read",
         "runs",
@@ -46,10 +46,8 @@ class Scheduled:
         self.state = state
         self.context = context
         self.coarse = False  # it took many steps: from now on it is followed with less precision
-        self.patient = False  # it creates something after many steps, or all took too many: it keeps its steps where it creates nothing
-        self.doubted = (
-            False  # what registered it was followed with less precision than it would have been with patience
-        )
+        self.costly = False  # it would be so in any case: all callbacks together took too many
+        self.doubted = False  # what registered it was followed in haste
         self.answered: Value | None = None  # what is called with each result
         self.exhausted = False  # it hit a limit: it is not run again
         self.runs = 0  # how often it ran
