@@ -122,10 +122,10 @@ def _context(machine: Engine, callback: Value, event: str) -> int:
     return machine.context("later callback", code, event, machine.place)
 
 
-def spin(machine: Engine, *, serving: bool = False) -> None:
+def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> None:
     """Run everything until neither the heap nor the schedule changes; the machine's state becomes the join of all that may be.
 
-    `serving`: it is the client library that spins, not a wait for what others do.
+    `serving`: it is the client library that spins, not a wait for what others do; `beside`: in a thread, where exceptions of callbacks end that.
     """
     book = machine.schedule_book
     if book.running:
@@ -139,7 +139,8 @@ def spin(machine: Engine, *, serving: bool = False) -> None:
             _run(machine, frames)
         machine.unheld = set()
         book.settled = (len(book.entries), machine.state.version)
-    _throw(machine)
+    if not beside:
+        _throw(machine)
 
 
 def waits(machine: Engine) -> None:
@@ -148,7 +149,7 @@ def waits(machine: Engine) -> None:
     if not book.running:
         machine.summaries.asked += 1  # it depends on which threads there are
         if book.beside:
-            spin(machine)
+            spin(machine, beside=True)
 
 
 def uncaught(machine: Engine, exception: Value) -> None:
