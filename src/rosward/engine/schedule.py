@@ -40,6 +40,8 @@ def _fails(effect: EntityEffect) -> bool:
 
 
 _MOST_RAISED: Final = 12
+_MOST_WAITS: Final = 4
+"""How often callbacks are followed precisely where the main body waits; behind that, those that create nothing are only where it spins or ends."""
 _STEPS_OF_EACH: Final = 300
 """What each callback may take on top of what all may take together: a large program has many small ones."""
 _NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
@@ -116,16 +118,19 @@ def _context(machine: Engine, callback: Value, event: str) -> int:
     book = machine.schedule_book
     if not book.running and event != BY_PYTHON:
         return machine.context("callback", len(book.entries))
-    while callback.__class__ in (BoundMethod, Partial):
+    return machine.context("later callback", _code_key(callback), event, machine.place)
+
+
+def _code_key(callback: Value) -> str:
+    while isinstance(callback, (BoundMethod, Partial)):
         callback = callback.function
-    code = callback.code.key if callback.__class__ is Function else ""
-    return machine.context("later callback", code, event, machine.place)
+    return callback.code.key if isinstance(callback, Function) else ""
 
 
-def spin(machine: Engine, *, serving: bool = False) -> None:
+def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> None:
     """Run everything until neither the heap nor the schedule changes; the machine's state becomes the join of all that may be.
 
-    `serving`: it is the client library that spins, not a wait for what others do.
+    `serving`: it is the client library that spins, not a wait for what others do; `beside`: in a thread, where exceptions of callbacks end that.
     """
     book = machine.schedule_book
     if book.running:
@@ -136,10 +141,14 @@ def spin(machine: Engine, *, serving: bool = False) -> None:
         frames = machine.frames
         machine.summaries.waiting.update(frame.code.key for frame in frames)
         with _alone(machine):
+            book.waited += beside
+            book.hurried = beside and book.waited > _MOST_WAITS
             _run(machine, frames)
+            book.hurried = False
         machine.unheld = set()
         book.settled = (len(book.entries), machine.state.version)
-    _throw(machine)
+    if not beside:
+        _throw(machine)
 
 
 def waits(machine: Engine) -> None:
@@ -148,7 +157,7 @@ def waits(machine: Engine) -> None:
     if not book.running:
         machine.summaries.asked += 1  # it depends on which threads there are
         if book.beside:
-            spin(machine)
+            spin(machine, beside=True)
 
 
 def uncaught(machine: Engine, exception: Value) -> None:
@@ -255,7 +264,9 @@ def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:
     frame.op = Op(entry.place.line, entry.place.column)
     frame.uncertain = 1
     machine.frames.append(frame)
-    heavy = machine.precision.begin_callback(coarse=entry.coarse, short=short)
+    hurried = machine.schedule_book.hurried and _code_key(entry.callback) not in machine.trace.creating
+    coarse = entry.coarse
+    heavy = machine.precision.begin_callback(coarse=coarse or hurried, short=short and not hurried)
     try:
         arrive(machine, entry)
         if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":
@@ -276,5 +287,6 @@ def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:
         machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")
         machine.check_time()
     finally:
-        entry.coarse = machine.precision.end_callback(heavy)
+        took_much = machine.precision.end_callback(heavy)
+        entry.coarse = coarse if hurried else took_much
         machine.frames.clear()

@@ -37,11 +37,13 @@ class Schedule:
         "by_library",
         "entries",
         "event",
+        "hurried",
         "named",
         "raised",
         "running",
         "settled",
         "spins",
+        "waited",
     )
 
     def __init__(self) -> None:
@@ -49,6 +51,8 @@ class Schedule:
         self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
         self.running = False
         self.beside = False  # a thread was started that spins: callbacks run wherever the main body waits
+        self.waited = 0  # how often the main body waited then
+        self.hurried = False  # it did so often that callbacks are followed with less precision there
         self.by_library = False  # something that the program handed out may be called by a library
         self._main_raised: Value = UNBOUND
         self._threads_raised: Value = UNBOUND
