@@ -162,7 +162,7 @@ def truth(machine: Engine, value: Value) -> bool | None:
 
 def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     """`slot operator src`; the slot, or UNBOUND where it never ends."""
-    if operator == "=" and is_inserter(slot):  # `*out = x`
+    if operator == "=" and is_inserter(read(machine, slot)) and not is_inserter(read(machine, src)):  # `*out = x`
         emit(machine, slot, Series((read(machine, src),)))
         return slot
     own = _own(machine, operator, (slot, src)) if operator != "=" or _says_itself(machine, slot, src) else None
@@ -326,7 +326,7 @@ def _made_of(machine: Engine, value: Value, cls: Class) -> Value:
     info = linked(machine).info(cls)
     if info is None:
         return value
-    implicit = [s for s in constructors(machine, info) if not s.explicit and not is_copying(info, s)]
+    implicit = [s for s in constructors(machine, info) if not s.explicit and (s.template or not is_copying(info, s))]
     functions = [function_of(machine, s, info.env) for s in implicit]
 
     def one(option: Value) -> Value:

@@ -212,6 +212,9 @@ def _get_if(call: NativeCall) -> Value:
     place = pointer.target if isinstance(pointer, Pointer) else pointer
     target = unboxed(machine, place)
     fits = is_of_type(machine, target, types[0]) if types else None
+    if fits is None and types and target is not place:
+        kept = [o for o in options(read(machine, target)) if is_of_type(machine, o, types[0]) is not False]
+        target = join_all(kept) if kept and all(isinstance(o, Ref) for o in kept) else target
     found = pointer if isinstance(pointer, Pointer) and target is place else Pointer(target)
     return found if fits else NONE if fits is False else join(found, NONE)
 
