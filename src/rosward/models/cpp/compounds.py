@@ -222,7 +222,15 @@ def _get_if(call: NativeCall) -> Value:
 def _visit(call: NativeCall) -> Value:
     """std::visit(callable, variants…)."""
     machine = call.machine
-    return machine.call(read(machine, call.args[0]), tuple([unboxed(machine, each) for each in call.args[1:]]))
+    held = [_visited(machine, unboxed(machine, each)) for each in call.args[1:]]
+    return machine.call(read(machine, call.args[0]), tuple(held))
+
+
+def _visited(machine: Machine, place: Value) -> Value:
+    """What a variant holds; also anything, where nobody knows what was assigned to it."""
+    held = read(machine, place)
+    anything = any(is_open(machine, option) for option in options(held))
+    return join(held, unknown_from(machine, "visit", "", held)) if anything else place
 
 
 def _apply(call: NativeCall) -> Value:
