@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import options
+from rosward.domain.choice import lift, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.enumerated import Enumerated, Whole
 from rosward.domain.series import Series
@@ -19,6 +19,8 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.cpp import as_type, calls, construct, endings, members, names
 from rosward.engine.cpp.categories import cast_to
+from rosward.engine.cpp.constructors import constructors, is_copying
+from rosward.engine.cpp.converting import by_operator
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
 from rosward.engine.cpp.linked import linked, record
@@ -27,7 +29,7 @@ from rosward.engine.cpp.overloading import fitting
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import type_of
-from rosward.engine.cpp.values import overloads
+from rosward.engine.cpp.values import function_of, overloads
 from rosward.models.cpp import operators as plain
 from rosward.models.cpp.boxes import become_box, is_box, may_be_another, unboxed
 from rosward.models.cpp.characters import as_string, is_text
@@ -160,7 +162,7 @@ def truth(machine: Engine, value: Value) -> bool | None:
 
 def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     """`slot operator src`; the slot, or UNBOUND where it never ends."""
-    if operator == "=" and is_inserter(slot):  # `*out = x`
+    if operator == "=" and is_inserter(read(machine, slot)) and not is_inserter(read(machine, src)):  # `*out = x`
         emit(machine, slot, Series((read(machine, src),)))
         return slot
     own = _own(machine, operator, (slot, src)) if operator != "=" or _says_itself(machine, slot, src) else None
@@ -305,15 +307,36 @@ def _object(machine: Engine, ref: Ref, src: Value) -> Value:
                 value = construct.make(machine, cls, (value,), "brace-copy")
     elif shape_of(cls) in {Shape.PAIR, Shape.OPTIONAL}:
         value = convert(machine, value, cls)
+    given = value
+    if isinstance(cls, Class) and not any(_is_related(machine, o, cls) for o in options(value)):
+        value = _made_of(machine, value, cls)
     if value is UNBOUND:
         return UNBOUND
     if _is_another(machine, ref, cls, value):
         become_box(machine, ref, value)
     else:
         write(machine, ref, value)
-        if any(isinstance(o, Unknown) for o in options(value)):
+        if value is not given or any(isinstance(o, Unknown) for o in options(value)):
             may_be_another(machine, ref)
     return ref
+
+
+def _made_of(machine: Engine, value: Value, cls: Class) -> Value:
+    """An object of a class that is made, without saying so, of what is assigned to one; the value itself where that cannot be."""
+    info = linked(machine).info(cls)
+    if info is None:
+        return value
+    implicit = [s for s in constructors(machine, info) if not s.explicit and (s.template or not is_copying(info, s))]
+    functions = [function_of(machine, s, info.env) for s in implicit]
+
+    def one(option: Value) -> Value:
+        if not isinstance(option, Ref):
+            return option
+        if fitting(machine, functions, (option,)):
+            return construct.make(machine, cls, (option,), "copy")
+        return by_operator(machine, option, cls)
+
+    return lift(one, value)
 
 
 def _is_another(machine: Engine, ref: Ref, cls: Value, value: Value) -> bool:

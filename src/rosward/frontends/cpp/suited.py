@@ -78,6 +78,11 @@ _EXPRESSION: Final = re.compile(
     r"|(?!(?:bool|char|short|int|long|float|double|unsigned|signed|void|auto)\b)[A-Za-z_][\w:]*(?:\[|\.|->|\())"
 )
 """How an expression begins that is no parameter."""
+_BARE: Final = re.compile(r"\s*([A-Za-z_]\w*)\s*[*&]\s*[A-Za-z_]\w*$")
+_NOT_BEFORE: Final = frozenset(
+    {"return", "const", "volatile", "static", "extern", "new", "typename", "friend", "case", "operator", "public"}
+)
+"""Words before the name of a type."""
 _MOST: Final = 1_000
 """So long is what `decltype` names, at most."""
 
@@ -118,7 +123,8 @@ def suited(text: str) -> str:
         text = _DELETE.sub(r"\1 \2 ", text)
     if "0" in text:
         text = _ZERO.sub(r"\1+", text)
-    text = _DIRECT.sub(_initialised, text)
+    variables: dict[str, bool] = {}
+    text = _DIRECT.sub(lambda found: _initialised(found, variables), text)
     text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", _TABLE.sub(r"\1 ", text))
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
@@ -133,11 +139,25 @@ def suited(text: str) -> str:
     return text
 
 
-def _initialised(found: re.Match[str]) -> str:
+def _initialised(found: re.Match[str], variables: dict[str, bool]) -> str:
     """`T & name(a.b);` begins as `T & name = a.b;` does: the grammar takes it for a product, or a function."""
-    within = found[2]
-    plain = _EXPRESSION.match(within) and "=" not in within and "..." not in within
-    return f"{found[1]}={within} " if plain and not _last_comma(f"{within})", 0) else found[0]
+    within, type_ = found[2], _BARE.match(found[1])
+    if not _EXPRESSION.match(within) or "=" in within or "..." in within or _last_comma(f"{within})", 0):
+        return found[0]
+    if type_ is not None and type_[1] not in variables:
+        variables[type_[1]] = _is_variable(type_[1], found.string)
+    is_product = type_ is not None and variables[type_[1]]
+    return found[0] if is_product else f"{found[1]}={within} "
+
+
+def _is_variable(name: str, text: str) -> bool:
+    """Whether a text declares a variable or parameter of a name, and no type: `list * name(a.b);` is a product."""
+    if name not in text or re.search(
+        rf"\b(?:class|struct|union|enum|using|typename)\s+{name}\b|\btypedef\b[^;]{{0,300}}\b{name}\s*;", text
+    ):
+        return False
+    declared = re.finditer(rf"(\w+|[>&*])\s*(?<!\w){name}\s*[;=,)]", text)
+    return any(each[1] not in _NOT_BEFORE for each in declared)
 
 
 def _last_operands(text: str) -> str:

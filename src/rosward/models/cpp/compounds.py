@@ -212,6 +212,9 @@ def _get_if(call: NativeCall) -> Value:
     place = pointer.target if isinstance(pointer, Pointer) else pointer
     target = unboxed(machine, place)
     fits = is_of_type(machine, target, types[0]) if types else None
+    if fits is None and types and target is not place:
+        kept = [o for o in options(read(machine, target)) if is_of_type(machine, o, types[0]) is not False]
+        target = join_all(kept) if kept and all(isinstance(o, Ref) for o in kept) else target
     found = pointer if isinstance(pointer, Pointer) and target is place else Pointer(target)
     return found if fits else NONE if fits is False else join(found, NONE)
 
@@ -219,7 +222,15 @@ def _get_if(call: NativeCall) -> Value:
 def _visit(call: NativeCall) -> Value:
     """std::visit(callable, variants…)."""
     machine = call.machine
-    return machine.call(read(machine, call.args[0]), tuple([unboxed(machine, each) for each in call.args[1:]]))
+    held = [_visited(machine, unboxed(machine, each)) for each in call.args[1:]]
+    return machine.call(read(machine, call.args[0]), tuple(held))
+
+
+def _visited(machine: Machine, place: Value) -> Value:
+    """What a variant holds; also anything, where nobody knows what was assigned to it."""
+    held = read(machine, place)
+    anything = any(is_open(machine, option) for option in options(held))
+    return join(held, unknown_from(machine, "visit", "", held)) if anything else place
 
 
 def _apply(call: NativeCall) -> Value:

@@ -3,15 +3,35 @@
 
 namespace std
 {
+template<class A, class B, class Out, class Less>
+Out set_intersection(A a, A last_a, B b, B last_b, Out out, Less less)
+{
+  while (a != last_a && b != last_b) {
+    if (less(*a, *b)) {
+      ++a;
+    } else {
+      if (!less(*b, *a)) {
+        *out++ = *a++;
+      }
+      ++b;
+    }
+  }
+  return out;
+}
 template<class A, class B, class Out>
 Out set_intersection(A a, A last_a, B b, B last_b, Out out)
 {
-  while (a != last_a && b != last_b) {
-    if (*a < *b) {
-      ++a;
+  return set_intersection(a, last_a, b, last_b, out, [](const auto & x, const auto & y) {return x < y;});
+}
+template<class A, class B, class Out, class Less>
+Out set_difference(A a, A last_a, B b, B last_b, Out out, Less less)
+{
+  while (a != last_a) {
+    if (b == last_b || less(*a, *b)) {
+      *out++ = *a++;
     } else {
-      if (!(*b < *a)) {
-        *out++ = *a++;
+      if (!less(*b, *a)) {
+        ++a;
       }
       ++b;
     }
@@ -21,25 +41,15 @@ Out set_intersection(A a, A last_a, B b, B last_b, Out out)
 template<class A, class B, class Out>
 Out set_difference(A a, A last_a, B b, B last_b, Out out)
 {
-  while (a != last_a) {
-    if (b == last_b || *a < *b) {
-      *out++ = *a++;
-    } else {
-      if (!(*b < *a)) {
-        ++a;
-      }
-      ++b;
-    }
-  }
-  return out;
+  return set_difference(a, last_a, b, last_b, out, [](const auto & x, const auto & y) {return x < y;});
 }
-template<class A, class B, class Out>
-Out set_symmetric_difference(A a, A last_a, B b, B last_b, Out out)
+template<class A, class B, class Out, class Less>
+Out set_symmetric_difference(A a, A last_a, B b, B last_b, Out out, Less less)
 {
   while (a != last_a || b != last_b) {
-    if (b == last_b || (a != last_a && *a < *b)) {
+    if (b == last_b || (a != last_a && less(*a, *b))) {
       *out++ = *a++;
-    } else if (a == last_a || *b < *a) {
+    } else if (a == last_a || less(*b, *a)) {
       *out++ = *b++;
     } else {
       ++a;
@@ -49,15 +59,37 @@ Out set_symmetric_difference(A a, A last_a, B b, B last_b, Out out)
   return out;
 }
 template<class A, class B, class Out>
-Out set_union(A a, A last_a, B b, B last_b, Out out)
+Out set_symmetric_difference(A a, A last_a, B b, B last_b, Out out)
+{
+  return set_symmetric_difference(a, last_a, b, last_b, out, [](const auto & x, const auto & y) {return x < y;});
+}
+template<class A, class B, class Out, class Less>
+Out set_union(A a, A last_a, B b, B last_b, Out out, Less less)
 {
   while (a != last_a || b != last_b) {
-    if (b == last_b || (a != last_a && *a < *b)) {
+    if (b == last_b || (a != last_a && less(*a, *b))) {
+      *out++ = *a++;
+    } else if (a == last_a || less(*b, *a)) {
+      *out++ = *b++;
+    } else {
+      *out++ = *a++;
+      ++b;
+    }
+  }
+  return out;
+}
+template<class A, class B, class Out>
+Out set_union(A a, A last_a, B b, B last_b, Out out)
+{
+  return set_union(a, last_a, b, last_b, out, [](const auto & x, const auto & y) {return x < y;});
+}
+template<class A, class B, class Out, class Less>
+Out merge(A a, A last_a, B b, B last_b, Out out, Less less)
+{
+  while (a != last_a || b != last_b) {
+    if (b == last_b || (a != last_a && !less(*b, *a))) {
       *out++ = *a++;
     } else {
-      if (a != last_a && !(*b < *a)) {
-        ++a;
-      }
       *out++ = *b++;
     }
   }
@@ -66,20 +98,21 @@ Out set_union(A a, A last_a, B b, B last_b, Out out)
 template<class A, class B, class Out>
 Out merge(A a, A last_a, B b, B last_b, Out out)
 {
-  while (a != last_a || b != last_b) {
-    if (b == last_b || (a != last_a && !(*b < *a))) {
-      *out++ = *a++;
-    } else {
-      *out++ = *b++;
-    }
-  }
-  return out;
+  return merge(a, last_a, b, last_b, out, [](const auto & x, const auto & y) {return x < y;});
 }
 template<class A, class B, class T>
 T inner_product(A a, A last_a, B b, T start)
 {
   for (; a != last_a; ++a, ++b) {
     start = start + *a * *b;
+  }
+  return start;
+}
+template<class A, class B, class T, class Add, class Times>
+T inner_product(A a, A last_a, B b, T start, Add add, Times times)
+{
+  for (; a != last_a; ++a, ++b) {
+    start = add(start, times(*a, *b));
   }
   return start;
 }
@@ -97,6 +130,20 @@ Out partial_sum(A a, A last_a, Out out)
   }
   return out;
 }
+template<class A, class Out, class Of>
+Out partial_sum(A a, A last_a, Out out, Of of)
+{
+  if (a == last_a) {
+    return out;
+  }
+  auto sum = *a;
+  *out++ = sum;
+  for (++a; a != last_a; ++a) {
+    sum = of(sum, *a);
+    *out++ = sum;
+  }
+  return out;
+}
 template<class A, class Out>
 Out adjacent_difference(A a, A last_a, Out out)
 {
@@ -108,6 +155,21 @@ Out adjacent_difference(A a, A last_a, Out out)
   for (++a; a != last_a; ++a) {
     auto here = *a;
     *out++ = here - before;
+    before = here;
+  }
+  return out;
+}
+template<class A, class Out, class Of>
+Out adjacent_difference(A a, A last_a, Out out, Of of)
+{
+  if (a == last_a) {
+    return out;
+  }
+  auto before = *a;
+  *out++ = before;
+  for (++a; a != last_a; ++a) {
+    auto here = *a;
+    *out++ = of(here, before);
     before = here;
   }
   return out;
