@@ -27,20 +27,20 @@ def workspace(tmp_path: Path) -> Path:
 
 
 def begin(page: Page, workspace: Path, **settings: object) -> dict[str, Any]:
-    before = watches_of_the_system()
     body = {"path": str(workspace), "watch": True, "settings": settings}
     result = page.wait(page.post("/api/workspaces", body)["id"])
-    page.wait_for(lambda: result if watches_of_the_system() > before else None)
+    page.wait_for(lambda: result if is_watched(workspace) else None)
     return result
 
 
-def watches_of_the_system() -> int:
-    """How many folders the kernel watches for this process."""
-    found = 0
+def is_watched(folder: Path) -> bool:
+    """Whether the kernel watches a folder for this process."""
+    inode = f" ino:{folder.stat().st_ino:x} "
     for file in Path("/proc/self/fdinfo").iterdir():
         with contextlib.suppress(OSError):  # it was closed meanwhile
-            found += file.read_text(encoding="utf-8").count("inotify wd:")
-    return found
+            if any("inotify wd:" in line and inode in line for line in file.read_text(encoding="utf-8").splitlines()):
+                return True
+    return False
 
 
 def automatic(page: Page) -> dict[str, Any] | None:
