@@ -99,7 +99,9 @@ def _missing(
         return join(default if default is not None else UNBOUND, loose)
     if default is not None:
         # who calls from outside gives what has no value yet (`event=None`), not what a function keeps for itself (`i=i`)
-        return default if anything is None or default != NONE or _nobody(anything) else join(default, anything)
+        if anything is None or default != NONE or _nobody(anything) or code.is_model:
+            return default
+        return join(default, anything)
     if anything is not None:
         return Unknown((Reason(Cause.CALLER, name, Place(code.file, code.line)),)) if _nobody(anything) else anything
     raise BadCallError(f"argument {name} is missing")
