@@ -57,17 +57,17 @@ class Budget(NamedTuple):
 
     def times(self, factor: float) -> Budget:
         """The budget with its steps multiplied: what `--budget` asks for."""
-        steps = (
+        each = (
             "steps",
             "entry_steps",
             "entry_coarse",
             "entry_idle",
-            "unaware",
+            "entry_hasty",
             "callback_steps",
             "loop_steps",
             "loop_idle",
         )
-        counted = (*steps, "seconds")
+        counted = (*each, "unaware", "seconds")
         more = {name: type(value)(value * factor) for name, value in self._asdict().items() if name in counted}
         return self._replace(**more)
 

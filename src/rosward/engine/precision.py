@@ -81,9 +81,8 @@ class Precision:
         self.budget = budget
         self.hasty = hasty  # precision is given up early where nothing is created
         self._early = False  # it was, for a loop of the main body
-        self.doubted: set[int] = (
-            set()
-        )  # the addresses at which callbacks wrote that were followed so, and those that read what they wrote
+        # the addresses at which callbacks wrote that were followed so, and those that read what they wrote
+        self.doubted: set[int] = set()
         self.steps = 0
         self.step_limit = budget.steps
         self.coarse = False  # precision is given up: too many steps were spent
@@ -102,7 +101,7 @@ class Precision:
         self.repeated_in_callbacks = 0  # those of them that were not taken
         self._begun = 0  # how many steps there were when these began
         self._created = 0  # how many there were when something was created last, or a callback began
-        self._loop_begun = 0  # and when the outermost loop began
+        self._loop_begun = 0  # and when the outermost loop did
         self._short = False  # the callback that is running has few steps where it creates nothing
         self._in_callbacks = False
         self._always_coarse = False  # the callback that is running took too many steps when it ran before
