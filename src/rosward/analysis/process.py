@@ -130,8 +130,6 @@ def _to_its_end(
                 place if place.file else Place(entry.file),
             )
         )
-    except BeginAnewError:
-        raise
     except Exception as error:
         log.findings.add(_failed(entry, error, "what the program does after this is missing", net=budget.net))
     done = log.final(machine.state)
@@ -147,8 +145,6 @@ def _to_its_end(
         log.tell_spun()
     except LimitReachedError as limit:
         log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not analysed", Place(entry.file)))
-    except BeginAnewError:
-        raise
     except Exception as error:
         log.findings.add(_failed(entry, error, "some callbacks were not analysed", net=budget.net))
     log.flows = None if watch is None else _flows(machine, watch, entry, net=budget.net)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Final, final
 
-from rosward.domain.values import Choice, Reduced, Value
+from rosward.domain.values import Choice, Function, Reduced, Value
 
 
 class Record(Value):
@@ -138,6 +138,13 @@ class Partial(Record):
     def fields(self) -> tuple[Value, tuple[Value, ...], tuple[tuple[str, Value], ...]]:
         """In the order of the constructor."""
         return self.function, self.arguments, self.keywords
+
+
+def function_behind(value: Value) -> Function | None:
+    """The function that a method or partial leads to, or a function itself."""
+    while isinstance(value, (BoundMethod, Partial)):
+        value = value.function
+    return value if isinstance(value, Function) else None
 
 
 @final

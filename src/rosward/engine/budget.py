@@ -90,5 +90,8 @@ class LimitReachedError(Exception):
         self.place = place
 
 
-class BeginAnewError(Exception):
-    """Something is created, of which a part was followed in haste: the process is to be followed anew, without haste."""
+class BeginAnewError(BaseException):
+    """Something is created, of which a part was followed in haste: the process is to be followed anew, without haste.
+
+    It is no `Exception`: what catches the faults of a part of an analysis must not take it for one.
+    """

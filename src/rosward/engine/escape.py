@@ -15,7 +15,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, Partial, Tuple
+from rosward.domain.compound import BoundMethod, Partial, Tuple, function_behind
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Pointer
 from rosward.domain.values import Class, Const, Function, Ref, Unknown, Value
@@ -102,9 +102,8 @@ def _reach(machine: Engine, value: Value, library: str, callee: Value | None, de
 
 
 def _is_library(value: Value) -> bool:
-    while isinstance(value, (BoundMethod, Partial)):
-        value = value.function
-    return not isinstance(value, Function) or declared.is_model(value)
+    function = function_behind(value)
+    return function is None or declared.is_model(function)
 
 
 def _runs_program(machine: Engine, value: Value) -> bool:

@@ -126,14 +126,13 @@ class Precision:
 
     def begin_loop(self, op: Op, frame: Frame) -> None:
         """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
-        if not self.loops:
-            self.turns = 0
-            self._loop_begun = self.steps
-            self.coarse = self.coarse or (frame.code.key, op.number) in self._heavy
         self.loops += 1
         self.begun += 1
         if self.loops == 1:
+            self.turns = 0
+            self._loop_begun = self.steps
             self._set_limit()
+            self.coarse = self.coarse or (frame.code.key, op.number) in self._heavy
 
     def end_loop(self, op: Op, frame: Frame) -> None:
         """A loop has ended."""

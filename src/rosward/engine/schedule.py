@@ -11,10 +11,10 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options, reasons_of, widen
-from rosward.domain.compound import BoundMethod, Partial
+from rosward.domain.compound import function_behind
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Class, Function, Ref, Unknown, Value
+from rosward.domain.values import UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
 from rosward.engine.budget import BeginAnewError, LimitReachedError
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
@@ -122,9 +122,8 @@ def _context(machine: Engine, callback: Value, event: str) -> int:
 
 
 def _code_key(callback: Value) -> str:
-    while isinstance(callback, (BoundMethod, Partial)):
-        callback = callback.function
-    return callback.code.key if isinstance(callback, Function) else ""
+    function = function_behind(callback)
+    return "" if function is None else function.code.key
 
 
 def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> None:

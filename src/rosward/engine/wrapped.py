@@ -50,10 +50,10 @@ def _leads(machine: Engine, value: Value, depth: int) -> bool:
 
 def calls_program(machine: Engine, obj: Obj, depth: int = 0) -> bool:
     """Whether an object of a class of a model can be called, and holds a function of the program."""
-    return is_callable_of_model(machine, obj) and any(leads_to_program(machine, v, depth) for v in obj.attrs.values())
+    return _is_callable_of_model(machine, obj) and any(leads_to_program(machine, v, depth) for v in obj.attrs.values())
 
 
-def is_callable_of_model(machine: Engine, obj: Obj) -> bool:
+def _is_callable_of_model(machine: Engine, obj: Obj) -> bool:
     """Whether the class of an object, which a model defines, says what a call of it does."""
     cls = obj.cls
     return (

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.compound import BoundMethod, Partial
+from rosward.domain.compound import BoundMethod, Partial, function_behind
 from rosward.domain.values import Function, Ref, Unknown, Value
 from rosward.effects.flows import Flow, ProcessFlows, Sink, Source
 from rosward.effects.log import EntityEffect
@@ -138,10 +138,8 @@ def _settle(walker: Walker, machine: Interpreter) -> bool:
 
 def _where(entry: Scheduled) -> object:
     """What tells a callback from others; those that many turns of a loop register at one place are one."""
-    function: object = entry.callback
-    while isinstance(function, (BoundMethod, Partial)):
-        function = function.function
-    code = function.code.key if isinstance(function, Function) else entry
+    function = function_behind(entry.callback)
+    code = entry if function is None else function.code.key
     return (entry.place, entry.context, entry.event, code) if entry.event == "thread" else entry
 
 
@@ -271,10 +269,9 @@ def _as_registered(walker: Walker, entry: Scheduled) -> Mark:
 
 def _beginning(callback: Value) -> Place | None:
     """The first line of a callback."""
-    while isinstance(callback, (BoundMethod, Partial)):
-        callback = callback.function
-    if isinstance(callback, Function) and not callback.code.file.startswith("models:"):
-        return Place(callback.code.file, callback.code.line)
+    function = function_behind(callback)
+    if function is not None and not function.code.file.startswith("models:"):
+        return Place(function.code.file, function.code.line)
     return None
 
 

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.compound import BoundMethod, External, Partial, Tuple
+from rosward.domain.compound import BoundMethod, External, Partial, Tuple, function_behind
 from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import TRUE, UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
@@ -136,10 +136,8 @@ def follow_left(machine: Engine) -> None:
             if isinstance(value, Ref):
                 machine.trace.handed.setdefault(value, place)
             else:
-                inner = value
-                while isinstance(inner, (Partial, BoundMethod)):
-                    inner = inner.function
-                if not isinstance(inner, Function) or inner.code.key not in entered:
+                function = function_behind(value)
+                if function is None or function.code.key not in entered:
                     machine.schedule(value, None, BY_LIBRARY, place)
 
 

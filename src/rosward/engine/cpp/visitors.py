@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.compound import BoundMethod, External, Partial, Tuple
+from rosward.domain.compound import BoundMethod, External, Partial, Tuple, function_behind
 from rosward.domain.values import Function, Value
 from rosward.engine.cpp.linked import Info
 from rosward.engine.cpp.overloading import choose
@@ -42,15 +42,9 @@ def chosen(machine: Engine, value: Partial, args: tuple[Value, ...]) -> list[Val
     """Those of the functions that a call means."""
     several = value.arguments[0]
     assert isinstance(several, Tuple)
-    inner = [_function(each) for each in several.items]
+    inner = [function_behind(each) for each in several.items]
     known = [f for f in inner if f is not None]
     if len(known) < len(inner):
         return list(several.items)
     meant = choose(machine, known, args, ())
     return [each for each, function in zip(several.items, inner, strict=True) if function in meant]
-
-
-def _function(value: Value) -> Function | None:
-    while isinstance(value, (Partial, BoundMethod)):
-        value = value.function
-    return value if isinstance(value, Function) else None

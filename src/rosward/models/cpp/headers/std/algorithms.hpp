@@ -100,14 +100,6 @@ Out merge(A a, A last_a, B b, B last_b, Out out)
 {
   return merge(a, last_a, b, last_b, out, [](const auto & x, const auto & y) {return x < y;});
 }
-template<class A, class B, class T>
-T inner_product(A a, A last_a, B b, T start)
-{
-  for (; a != last_a; ++a, ++b) {
-    start = start + *a * *b;
-  }
-  return start;
-}
 template<class A, class B, class T, class Add, class Times>
 T inner_product(A a, A last_a, B b, T start, Add add, Times times)
 {
@@ -116,19 +108,11 @@ T inner_product(A a, A last_a, B b, T start, Add add, Times times)
   }
   return start;
 }
-template<class A, class Out>
-Out partial_sum(A a, A last_a, Out out)
+template<class A, class B, class T>
+T inner_product(A a, A last_a, B b, T start)
 {
-  if (a == last_a) {
-    return out;
-  }
-  auto sum = *a;
-  *out++ = sum;
-  for (++a; a != last_a; ++a) {
-    sum = sum + *a;
-    *out++ = sum;
-  }
-  return out;
+  const auto add = [](const auto & x, const auto & y) {return x + y;};
+  return inner_product(a, last_a, b, start, add, [](const auto & x, const auto & y) {return x * y;});
 }
 template<class A, class Out, class Of>
 Out partial_sum(A a, A last_a, Out out, Of of)
@@ -145,19 +129,9 @@ Out partial_sum(A a, A last_a, Out out, Of of)
   return out;
 }
 template<class A, class Out>
-Out adjacent_difference(A a, A last_a, Out out)
+Out partial_sum(A a, A last_a, Out out)
 {
-  if (a == last_a) {
-    return out;
-  }
-  auto before = *a;
-  *out++ = before;
-  for (++a; a != last_a; ++a) {
-    auto here = *a;
-    *out++ = here - before;
-    before = here;
-  }
-  return out;
+  return partial_sum(a, last_a, out, [](const auto & x, const auto & y) {return x + y;});
 }
 template<class A, class Out, class Of>
 Out adjacent_difference(A a, A last_a, Out out, Of of)
@@ -173,6 +147,11 @@ Out adjacent_difference(A a, A last_a, Out out, Of of)
     before = here;
   }
   return out;
+}
+template<class A, class Out>
+Out adjacent_difference(A a, A last_a, Out out)
+{
+  return adjacent_difference(a, last_a, out, [](const auto & x, const auto & y) {return x - y;});
 }
 template<class M, class N>
 int gcd(M m, N n)
