@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import rosward
-from rosward.analysis.process import run
+from rosward.analysis.attempts import run
 from rosward.analysis.read import read_sources
 from rosward.engine.budget import Budget
 from rosward.network.graph import Network

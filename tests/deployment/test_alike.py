@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from rosward.analysis import outcome
-from rosward.analysis.process import Run, how_started, run
+from rosward.analysis.attempts import how_started, run
+from rosward.analysis.process import Run
 from rosward.deployment.alike import renumbered
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.domain.choice import join

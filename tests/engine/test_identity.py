@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from rosward.analysis.process import Run, run
+from rosward.analysis.attempts import run
+from rosward.analysis.process import Run
 from rosward.analysis.read import read_sources
 from rosward.analysis.seen import seen_of
 from rosward.analysis.unreached import unreached

@@ -16,8 +16,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final, final
 
+from rosward.analysis.attempts import run
 from rosward.analysis.plan import make_plan
-from rosward.analysis.process import run
 from rosward.analysis.read import SourcesRead, silent
 from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.standalone import of_sources

@@ -44,9 +44,9 @@ def _followed(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     found: list[bool] = []
     begin = Precision.__init__
 
-    def noting(self: Precision, budget: Budget, *, hasty: bool = False) -> None:
-        found.append(hasty)
-        begin(self, budget, hasty=hasty)
+    def noting(self: Precision, budget: Budget, careful: frozenset[str] | None = None) -> None:
+        found.append(careful is not None)
+        begin(self, budget, careful)
 
     monkeypatch.setattr(Precision, "__init__", noting)
     return found
@@ -59,7 +59,7 @@ def test_what_it_creates_is_known_exactly(tmp_path: Path, monkeypatch: pytest.Mo
     names = {str(each.name) for each in node.entities if "joint" in str(each.name)}
     assert names == {f"/joint_{i}/state" for i in range(20)}
     assert [p.name for p in node.parameters if p.name == "rate"] == ["rate"]
-    assert followed[-2:] == [True, False], "it was followed anew"
+    assert followed[-2:] == [True, True], "it was followed anew, the callback without haste"
 
 
 def test_what_creates_nothing_is_not_followed_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -138,6 +138,10 @@ _LITTLE: Final = Budget(steps=30_000, entry_steps=30_000, callback_steps=60_000,
 """With it, precision is given up soon."""
 
 
+_PATIENT: Final = Budget(entry_idle=30_000, loop_idle=120_000)
+"""With it, nothing is followed in haste."""
+
+
 def _topics(said: str) -> set[str]:
     return {topic["name"] for topic in json.loads(said)["topics"]}
 
@@ -226,11 +230,11 @@ int main(int argc, char ** argv) {
 def test_what_is_made_in_loops_within_loops_is_not_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each call has variables of its own, whose addresses the functions within get."""
     recalls = noted_recalls(monkeypatch)
-    found = _told(tmp_path, _BOARDS)
+    found = _told(tmp_path, _BOARDS, _PATIENT)
     assert {"/none/state", "/*state"} <= _topics(found)
     assert any(call.fresh and call.effort.steps > 100 for call in recalls)
     monkeypatch.setattr(recalled, "place_of", lambda *_: None)
-    assert found == _told(tmp_path, _BOARDS)
+    assert found == _told(tmp_path, _BOARDS, _PATIENT)
 
 
 _TABLES: Final = """

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rosward.analysis.process import run
+from rosward.analysis.attempts import run
 from rosward.analysis.read import read_sources
 from rosward.domain.compound import External
 from rosward.domain.values import Const, Ref

@@ -17,9 +17,9 @@ import pytest
 os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 rclpy = pytest.importorskip("rclpy")
 
+from rosward.analysis.attempts import run  # noqa: E402
 from rosward.analysis.deep_stack import with_deep_stack  # noqa: E402
 from rosward.analysis.plan import make_plan  # noqa: E402
-from rosward.analysis.process import run  # noqa: E402
 from rosward.analysis.source_tree import SourceTree  # noqa: E402
 from rosward.domain.series import Series  # noqa: E402
 from rosward.domain.values import Const  # noqa: E402

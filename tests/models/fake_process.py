@@ -143,6 +143,9 @@ class FakeProcess:
     def obj(self, ref: Ref) -> Obj:
         return self.heap[ref.address]
 
+    def part(self, ref: Ref, _name: str) -> Obj:
+        return self.obj(ref)
+
     def update(self, ref: Ref, obj: Obj) -> None:
         self.heap[ref.address] = obj
 

@@ -15,11 +15,11 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.analysis.attempts import how_started
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.outcome import Outcome, Task
 from rosward.analysis.outcome import Outset as ProcessOutset
 from rosward.analysis.plan import Plan
-from rosward.analysis.process import how_started
 from rosward.analysis.read import EVERYTHING, Progress, SourcePath, SourcesRead, read_sources
 from rosward.analysis.runner import Runner
 from rosward.analysis.seen import note_variables

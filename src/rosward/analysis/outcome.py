@@ -6,7 +6,8 @@ from __future__ import annotations
 from functools import partial
 from typing import NamedTuple
 
-from rosward.analysis.process import Run, run
+from rosward.analysis.attempts import run
+from rosward.analysis.process import Run
 from rosward.analysis.seen import Seen, seen_of
 from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry

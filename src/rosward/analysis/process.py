@@ -19,12 +19,11 @@ from rosward.effects.flows import ProcessFlows
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect
 from rosward.engine import assumed, handed
 from rosward.engine.arguments import ANY
-from rosward.engine.budget import BeginAnewError, Budget, LimitReachedError
+from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
-from rosward.engine.reads import Question, Reads
-from rosward.engine.remembered import depends_on_the_machine
+from rosward.engine.reads import Reads
 from rosward.engine.shared import Shared
 from rosward.findings import Finding
 from rosward.guard import internal_error
@@ -54,55 +53,16 @@ class Run(NamedTuple):
     instantiated: frozenset[Place]
     reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
+    hurried: frozenset[str] = frozenset()  # what was followed in haste, as `BeginAnewError` has it
     reads: Reads | None = None
 
 
-def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
-    """Interpret one process to its end, and everything that it schedules, as the configuration starts it; or remember what it did."""
-    memory = library.memory
-    if memory is None:
-        return _run(library, entry, budget, configuration)
-
-    def now() -> tuple[Run, tuple[Question, ...] | None]:
-        found = _run(library, entry, budget, configuration)
-        failed = found.reads is None or any(map(depends_on_the_machine, found.log.findings))
-        return found, None if failed or found.reads is None else found.reads.questions
-
-    found: Run = memory.run((entry, budget, how_started(configuration)), library.plain_sources, now)
-    return found
-
-
-def how_started(configuration: Configuration | None) -> tuple[object, ...]:
-    """What tells one way of starting a program from another."""
-    if configuration is None:
-        return ()
-    return (
-        configuration.words,
-        configuration.component,
-        tuple(sorted(configuration.files.items(), key=lambda item: item[0])),
-        tuple(sorted(configuration.environment.items(), key=lambda item: item[0])),
-    )
-
-
-def _run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
-    with library.reading() as reading:
-        found = _interpret(library, entry, budget, configuration)
-    variables = tuple(sorted(found.log.variables.read))
-    reads = Reads(tuple(sorted(reading.questions)), tuple(sorted(reading.models)), variables, budget, configuration)
-    return found._replace(reads=reads)
-
-
-def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
-    """Follow a process in haste where it creates nothing; without haste, if it turns out that something depends on that."""
-    try:
-        return _follow(library, entry, budget, configuration, hasty=True)
-    except BeginAnewError:
-        return _follow(library, entry, budget, configuration, hasty=False)
-
-
-def _follow(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None, *, hasty: bool) -> Run:
+def follow(
+    library: Library, entry: Entry, budget: Budget, configuration: Configuration | None, careful: frozenset[str] | None
+) -> Run:
+    """Interpret a process to its end. `careful`: what is not to be followed in haste, as `BeginAnewError` tells it; None: nothing is."""
     watch = _watch() if budget.flow else None
-    machine = Interpreter(library, budget, EffectLog(configuration), watch, hasty=hasty)
+    machine = Interpreter(library, budget, EffectLog(configuration), watch, careful)
     try:
         return _to_its_end(machine, watch, entry, budget, configuration)
     finally:
@@ -157,6 +117,7 @@ def _to_its_end(
         frozenset(machine.trace.instantiated),
         frozenset(machine.trace.reached),
         frozenset(machine.trace.asked),
+        machine.precision.hurried,
     )
 
 

@@ -67,6 +67,11 @@ def creations_of(module: Module, facts: LibraryFacts) -> Iterator[Creation]:
             yield Creation(code.key, code.file, code.qualname, name, op.line, op.column, key)
 
 
+def creates(code: Code, methods: Container[str]) -> bool:
+    """Whether a body reads a method that creates an entity."""
+    return any(True for _ in _creations(code, methods, ()))
+
+
 def _functions(code: Code) -> Iterator[Code]:
     """The code itself and all functions in it."""
     yield code

@@ -59,7 +59,7 @@ def unreached(
         entered |= each.entered
         reached |= each.reached
     bases = _unknown_bases(seen)
-    unseen = _Unseen(seen)
+    unseen = Unseen(seen)
     found = Findings()
     for read in (one for module in modules for one in created(module, facts)):
         place = Place(read.file, read.line, read.column)
@@ -68,7 +68,7 @@ def unreached(
         if dead and base is not None:
             what = f"nothing here calls {read.qualname}, but its base class {base} may: its {read.name} is not in the result"
             found.add(Finding("RW204", what, place))
-        elif dead and unseen.may_call(read):
+        elif dead and unseen.may_call(read.file, read.qualname):
             what = f"no known code calls {read.qualname}, but unknown code may: its {read.name} is not in the result"
             found.add(Finding("RW212", what, place))
         elif dead:
@@ -81,7 +81,7 @@ def unreached(
 
 
 @final
-class _Unseen:
+class Unseen:
     """What may be called without that a call of it is seen."""
 
     def __init__(self, seen: Sequence[Seen]) -> None:
@@ -90,10 +90,10 @@ class _Unseen:
         self._owners = {(file, owner) for file, owner, name in asked if not name}  # of which something unknown was read
         self._made = {(cls.place.file, cls.qualname) for each in seen for cls in _made(each)}
 
-    def may_call(self, creation: Creation) -> bool:
-        """Whether something unknown may call the function around it: a method of an object that there is, by name; or by a name that is not known."""
-        owner, _, name = creation.qualname.rpartition(".")
-        return (creation.file, owner) in self._owners or (name in self._names and (creation.file, owner) in self._made)
+    def may_call(self, file: str, qualname: str) -> bool:
+        """Whether something unknown may call a function: a method of an object that there is, by name; or by a name that is not known."""
+        owner, _, name = qualname.rpartition(".")
+        return (file, owner) in self._owners or (name in self._names and (file, owner) in self._made)
 
 
 def _made(seen: Seen) -> Iterator[ClassSeen]:

@@ -17,6 +17,10 @@ from rosward.records import NamedTuple
 NO_ATTRS: Final[dict[str, Value]] = {}
 
 
+KIND: Final = ""
+"""No attribute has this name: who asks for it alone asks of what kind and class an object is, and whether it stands for several."""
+
+
 class Alternatives(NamedTuple):
     """The payload of a list of unknown length: its elements in order, and whether each is surely there. Any write to the list drops it."""
 

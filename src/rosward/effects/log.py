@@ -63,6 +63,9 @@ class Execution(Protocol):
     def obj(self, ref: Ref) -> Obj:
         """The heap record behind a reference."""
 
+    def part(self, ref: Ref, name: str) -> Obj:
+        """The same record, of which nothing is read but one attribute, and what tells how it is read (`KIND`: nothing else)."""
+
     def is_node(self, address: int) -> bool:
         """Whether the object at an address is a node."""
 

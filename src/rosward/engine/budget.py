@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from rosward.records import NamedTuple
 from rosward.source.location import Place
 
@@ -19,7 +21,7 @@ class Budget(NamedTuple):
     `unaware`: those in functions in C++ that know nothing of ROS, before those that take many are no longer followed.
     `entry_coarse`: the steps of one callback after which the same happens; `loop_steps`: those of one outermost loop, until it ends.
     `entry_idle`, `loop_idle`: those since something was created, for a process that is followed in haste, as each is at first: where something
-    is created that may depend on it, or a callback takes `entry_hasty`, it is followed anew, without haste.
+    is created that may depend on it, or a callback takes `entry_hasty` or a loop `loop_hasty`, it is followed anew, that part without haste.
     `large`: the operations of a body that is then followed once for all its calls.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
     `unroll`: turns of a loop over a known sequence that are followed one by one; `unroll_while`: the same for a `while` whose condition is
@@ -37,11 +39,12 @@ class Budget(NamedTuple):
     callback_steps: int = 2_000_000
     coarse: float = 0.25
     entry_coarse: int = 30_000
-    entry_idle: int = 2_000
+    entry_idle: int = 300
     entry_hasty: int = 180_000
     unaware: int = 60_000
     loop_steps: int = 120_000
-    loop_idle: int = 20_000
+    loop_idle: int = 1_000
+    loop_hasty: int = 100_000
     large: int = 50
     depth: int = 60
     recursion: int = 4
@@ -66,6 +69,7 @@ class Budget(NamedTuple):
             "callback_steps",
             "loop_steps",
             "loop_idle",
+            "loop_hasty",
         )
         counted = (*each, "unaware", "seconds")
         more = {name: type(value)(value * factor) for name, value in self._asdict().items() if name in counted}
@@ -90,8 +94,17 @@ class LimitReachedError(Exception):
         self.place = place
 
 
-class BeginAnewError(BaseException):
-    """Something is created, of which a part was followed in haste: the process is to be followed anew, without haste.
+MAIN_BODY: Final = "main body"
+"""Among what is to be followed without haste: the loops that are in no callback."""
 
+
+class BeginAnewError(BaseException):
+    """Something is created, of which a part was followed in haste: the process is to be followed anew, that part without haste.
+
+    `parts`: the callbacks by the keys of their code, and `MAIN_BODY`.
     It is no `Exception`: what catches the faults of a part of an analysis must not take it for one.
     """
+
+    def __init__(self, parts: frozenset[str]) -> None:
+        super().__init__(*parts)
+        self.parts = parts

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join
 from rosward.domain.compound import Native, TooManyPartsError
-from rosward.domain.heap import Obj, ObjKind, fields_of
+from rosward.domain.heap import KIND, Obj, ObjKind, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State, join_objects, join_states
@@ -19,6 +19,7 @@ from rosward.domain.suspended import Suspension
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, ModuleValue, Ref, Value
 from rosward.engine.answers import Answers
+from rosward.engine.attributes_asked import AttributeNames
 from rosward.engine.budget import Budget
 from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Snapshot
@@ -52,8 +53,7 @@ class Interpreter(Answers):
         budget: Budget,
         log: EffectLog,
         watch: Watcher | None = None,
-        *,
-        hasty: bool = False,
+        careful: frozenset[str] | None = None,
     ) -> None:
         self.library = library
         self.budget = budget
@@ -62,7 +62,7 @@ class Interpreter(Answers):
         self.frames: list[Frame] = []
         self.catchers: list[Catcher] = []
         self.schedule_book = Schedule()
-        self.precision = Precision(budget, hasty=hasty)
+        self.precision = Precision(budget, careful)
         self.trace = Trace()
         self.summaries = Summaries()
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
@@ -80,6 +80,7 @@ class Interpreter(Answers):
         self.ways: dict[str, dict[int, Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
         self.asked_for: set[int] = set()  # the addresses whose records were read since it was emptied last
+        self.attribute_names = AttributeNames()
         self.linked: object = None  # what a language with a linker keeps of its program
         self._versions = 0
         self._first_address = library.first_address
@@ -101,8 +102,8 @@ class Interpreter(Answers):
         precision.steps += len(block)
         if precision.steps > precision.step_limit:
             precision.spend(0, self)
-        if precision.steps > precision.loop_limit:
-            precision.coarse = True
+        if precision.steps > precision.loop_limit and not precision.coarse:
+            precision.give_up()
         if self.catchers and self.language.run_noting is not None:
             return self.language.run_noting(self, block, frame)
         table = self.language.table
@@ -147,7 +148,7 @@ class Interpreter(Answers):
     def note_creation(self, *, new: bool, exact: bool) -> None:
         """Here something is created: what runs now is followed call by call, also where precision is given up."""
         self.trace.creating.update(frame.code.key for frame in self.frames)
-        self.precision.note_creation(new=new, exact=exact)
+        self.precision.note_creation(new=new, exact=exact and self.is_sure)
 
     def note_effect(self, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""
@@ -190,6 +191,14 @@ class Interpreter(Answers):
         found = None if page is None else page[address & MASK]
         return found if found is not None else self.library.at(address)
 
+    def part(self, ref: Ref, name: str) -> Obj:
+        """The record behind a reference, of which nothing is read but this attribute, and what tells how it is read."""
+        address = ref.address
+        self.asked_for.add(self.attribute_names.question(address, name))
+        page = self.state.heap.pages.get(address >> SHIFT)
+        found = None if page is None else page[address & MASK]
+        return found if found is not None else self.library.at(address)
+
     def at(self, address: int) -> Obj:
         """The record at an address."""
         self.asked_for.add(address)
@@ -217,7 +226,7 @@ class Interpreter(Answers):
 
     def update(self, ref: Ref, obj: Obj) -> None:
         """Replace the record behind a reference; where it stands for several objects the old content stays possible."""
-        old = self.at(ref.address)
+        old = self.part(ref, KIND)
         if old.many:
             joined = join_objects(old, obj, join)
             if joined is old:

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from rosward.domain.values import Class, Function, ModuleValue, Ref, Value
     from rosward.effects.log import EntityEffect
     from rosward.effects.sent import SentEffect
+    from rosward.engine.attributes_asked import AttributeNames
     from rosward.engine.budget import Budget
     from rosward.engine.catcher import Catcher
     from rosward.engine.frame import Frame, Snapshot
@@ -110,8 +111,10 @@ class Engine(Machine, Protocol):
     ends: State | None
     watch: Watcher | None
     """Who notes what is seen of the program; None where nobody asks."""
+    attribute_names: AttributeNames
     asked_for: set[int]
-    """The addresses whose records were read; who wants to know which are read from now on empties it."""
+    """The addresses whose records were read, and questions (`attributes_asked.py`, `nodes_asked.py`). Who wants to know which are from now on
+    empties it."""
     language: Language
     """That of the code that runs."""
     linked: object
@@ -149,6 +152,9 @@ class Engine(Machine, Protocol):
 
     def resume(self, frame: Frame, snapshot: Snapshot) -> None:
         """Go on from a snapshot (which is used up)."""
+
+    def part(self, ref: Ref, name: str) -> Obj:
+        """The record behind a reference, of which nothing is read but this attribute, and what tells how it is read."""
 
     def at(self, address: int) -> Obj:
         """The record at an address."""

@@ -116,11 +116,12 @@ def narrow_attribute(machine: Engine, target: Value, name: str, value: Value) ->
     """What an object surely holds in an attribute of its own turned out to be `value`."""
     if not isinstance(target, Ref):
         return
-    obj = machine.obj(target)
+    obj = machine.part(target, name)
     if obj.kind != "instance" or obj.many:
         return
     if name not in obj.attrs:
         name = _returned_by(machine.language.lookup(machine, obj.cls, name))
+        obj = machine.part(target, name)
     if name in obj.attrs and obj.attrs[name] is not value:
         machine.put(target.address, obj.with_attr(name, value))
 

@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
+from rosward.engine.attributes_asked import FIRST
+
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog
 
@@ -28,7 +30,7 @@ def answered(log: EffectLog, asked_for: Iterable[int], begun: int) -> Answered:
     """The questions among what a call asked for, with the answers that it had; there were `begun` nodes when it began."""
     if len(log.nodes) != begun:
         return ((ALL, begun),)  # it made some itself, and may have asked before or after
-    return tuple([(asked, _count(log, asked)) for asked in asked_for if asked < 0])
+    return tuple([(asked, _count(log, asked)) for asked in asked_for if FIRST < asked < 0])
 
 
 def still_holds(log: EffectLog, answers: Answered) -> bool:

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, final
 
 from rosward.deadline import Deadline
-from rosward.engine.budget import BeginAnewError, Budget, LimitReachedError
+from rosward.engine.budget import MAIN_BODY, BeginAnewError, Budget, LimitReachedError
 from rosward.records import NamedTuple
 from rosward.rules import TIME_LIMIT
 
@@ -53,20 +53,26 @@ class Precision:
         "_coarse_limit",
         "_created",
         "_early",
+        "_hasty_loops",
         "_heads",
         "_heavy",
         "_in_callbacks",
+        "_in_model",
         "_loop_begun",
         "_repeated",
         "_short",
+        "_whole_limit",
         "begun",
         "budget",
+        "callback",
+        "careful",
         "coarse",
         "deadline",
         "doubted",
         "fixpoints",
         "given_up",
         "hasty",
+        "hurried",
         "loop_limit",
         "loops",
         "repeated_in_callbacks",
@@ -77,14 +83,19 @@ class Precision:
         "turns",
     )
 
-    def __init__(self, budget: Budget, *, hasty: bool = False) -> None:
+    def __init__(self, budget: Budget, careful: frozenset[str] | None = None) -> None:
         self.budget = budget
-        self.hasty = hasty  # precision is given up early where nothing is created
+        self.hasty = careful is not None  # precision is given up early where nothing is created,
+        self.careful = careful or frozenset()  # but for these callbacks, and for the main body where it is among them
+        self.hurried: frozenset[str] = frozenset()  # what was followed so
+        self._hasty_loops = self.hasty and MAIN_BODY not in self.careful
         self._early = False  # it was, for a loop of the main body
-        # the addresses at which callbacks wrote that were followed so, and those that read what they wrote
-        self.doubted: set[int] = set()
+        # the addresses at which callbacks wrote that were followed so, and those that read what they wrote: which of the former
+        self.doubted: dict[int, frozenset[str]] = {}
+        self.callback = ""  # the key of that which is running
         self.steps = 0
         self.step_limit = budget.steps
+        self._whole_limit = 0  # the same, while the main body may take fewer in a loop that is followed in haste
         self.coarse = False  # precision is given up: too many steps were spent
         # behind it precision is given up, until the outermost loop ends
         self.loop_limit = int(budget.steps * budget.coarse)
@@ -102,6 +113,7 @@ class Precision:
         self._begun = 0  # how many steps there were when these began
         self._created = 0  # how many there were when something was created last, or a callback began
         self._loop_begun = 0  # and when the outermost loop did
+        self._in_model = False  # the outermost loop is one of a library
         self._short = False  # the callback that is running has few steps where it creates nothing
         self._in_callbacks = False
         self._always_coarse = False  # the callback that is running took too many steps when it ran before
@@ -113,9 +125,18 @@ class Precision:
         self.steps += steps
         if self.steps - self._repeated > self.step_limit:
             if self._short:
-                raise BeginAnewError
+                raise BeginAnewError(frozenset((self.callback,)))
+            if self._whole_limit and not self._in_callbacks:
+                raise BeginAnewError(frozenset((MAIN_BODY,)))
             most = self.budget.entry_steps if self._in_callbacks else self.budget.steps
             raise LimitReachedError(f"more than {most} steps", where.place)
+
+    def give_up(self) -> None:
+        """From here on, what runs is followed with less precision."""
+        self.coarse = True
+        if self._gave_up_early():
+            self._whole_limit = self.step_limit
+            self.step_limit = min(self.step_limit, self.steps - self._repeated + self.budget.loop_hasty)
 
     def check_time(self, where: Execution) -> None:
         """Raise where the process has used up its time."""
@@ -131,6 +152,7 @@ class Precision:
         if self.loops == 1:
             self.turns = 0
             self._loop_begun = self.steps
+            self._in_model = frame.code.is_model  # it costs less than what it is made of where precision is given up
             self._set_limit()
             self.coarse = self.coarse or (frame.code.key, op.number) in self._heavy
 
@@ -142,7 +164,11 @@ class Precision:
             if self.coarse and not self._always_coarse:
                 self._heavy.add((frame.code.key, op.number))
                 self._always_coarse = self._in_callbacks  # until the callback ends
-            self._early = self._early or self._gave_up_early()
+            if self._gave_up_early():
+                self._early = True
+                self.hurried |= {MAIN_BODY}
+            if self._whole_limit and not self._in_callbacks:
+                self.step_limit, self._whole_limit = self._whole_limit, 0
             if not self._in_callbacks:  # what follows in the main body has its part of what is left
                 left = int((self.step_limit - self.steps) * self.budget.coarse)
                 self._coarse_limit = max(self._coarse_limit, self.steps + left)
@@ -155,26 +181,29 @@ class Precision:
         `new`: it was not known yet; `exact`: its name and type are wholly known.
         """
         if self.coarse and self._short:
-            raise BeginAnewError
-        doubted = bool(self.doubted) and not self._in_callbacks
-        if new and not exact and (doubted or self._early or self._gave_up_early()):
-            raise BeginAnewError
+            raise BeginAnewError(frozenset((self.callback,)))
+        if new and not exact and self.hasty:
+            parts = frozenset() if self._in_callbacks else frozenset().union(*self.doubted.values())
+            if self._early or self._gave_up_early():
+                parts |= {MAIN_BODY}
+            if parts:
+                raise BeginAnewError(parts)
         self._created = self.steps
         if not self.coarse:
             self._set_limit()
 
     def _gave_up_early(self) -> bool:
         """Whether precision is given up for a loop of the main body, for no other reason than that it creates nothing."""
-        if not self.hasty or self._in_callbacks or not self.coarse:
+        if not self._hasty_loops or self._in_callbacks or not self.coarse:
             return False
-        return self.steps <= min(self._coarse_limit, self._loop_begun + self.budget.loop_steps)
+        return self.loop_limit < min(self._coarse_limit, self._loop_begun + self.budget.loop_steps)
 
     def _set_limit(self) -> None:
         most = self._coarse_limit
         if self.loops:
             begun = self._loop_begun
             most = min(most, begun + self.budget.loop_steps)
-            if self.hasty and not self._in_callbacks:
+            if self._hasty_loops and not self._in_callbacks and not self._in_model:
                 most = min(most, max(begun, self._created) + self.budget.loop_idle)
         self.loop_limit = min(most, self._created + self.budget.entry_idle) if self._short else most
 
@@ -247,6 +276,7 @@ class Precision:
     def callbacks(self) -> Iterator[None]:
         """Callbacks run within: they are in no loop of the main body, which keeps the steps that it has left."""
         loops, fixpoints, coarse, short = self.loops, self.fixpoints, self.coarse, self._short
+        whole_limit = self._whole_limit
         limits = self.step_limit, self._coarse_limit, self.loop_limit, self._created, self._loop_begun
         self.loops = self.fixpoints = 0
         self._in_callbacks, self._begun = True, self.steps
@@ -257,6 +287,7 @@ class Precision:
             self.spent += spent
             self._in_callbacks = False
             self.loops, self.fixpoints, self.coarse, self._short = loops, fixpoints, coarse, short
+            self._whole_limit = whole_limit and whole_limit + spent
             self.step_limit, self._coarse_limit, self.loop_limit, self._created, self._loop_begun = (
                 limit + spent for limit in limits
             )
@@ -266,11 +297,12 @@ class Precision:
         """The steps of all callbacks, while they run."""
         return self.spent + self.steps - self._begun
 
-    def begin_callback(self, *, coarse: bool, short: bool) -> int:
+    def begin_callback(self, key: str, *, coarse: bool, short: bool) -> int:
         """A callback begins, with steps of its own; `coarse`: it took too many before. What `end_callback` asks for.
 
         `short`: it has few where it creates nothing.
         """
+        self.callback = key
         self.loops = self.fixpoints = 0
         most = self.budget.entry_hasty if short else self.budget.entry_steps
         self.step_limit = self.steps - self._repeated + most

@@ -16,6 +16,7 @@ from rosward.domain.choice import join
 from rosward.domain.state import State, join_objects
 from rosward.domain.values import Value
 from rosward.engine import nodes_asked, schedule
+from rosward.engine.attributes_asked import records_of
 from rosward.engine.summaries import Call, Changes
 from rosward.engine.throwing import may_end
 from rosward.engine.told import Kind, told_of
@@ -119,10 +120,11 @@ def ended(machine: Engine, place: object, key: str, call: Call, over: State | No
     changed.update(address for each in told for address, _ in each.objects)
     if call.over is not None:
         changed.update(address for address, _ in call.over.written)
-    call.fresh = {a: heap.get(a) for a in changed & summaries.fresh - call.asked_for - call.anew}
+    asked_for = frozenset(records_of(call.asked_for))
+    call.fresh = {a: heap.get(a) for a in changed & summaries.fresh - asked_for - call.anew}
     call.rests, call.used, call.wrote = machine.precision.rests, summaries.used, frozenset(summaries.wrote)
     begun_with = [a for before, _ in call.rests.values() if before is not None for a, _ in before.objects]
-    call.addresses = tuple(call.asked_for.union(changed - call.fresh.keys(), call.anew, begun_with))
+    call.addresses = tuple(asked_for.union(changed - call.fresh.keys(), call.anew, begun_with))
     call.records = tuple(map(heap.get, call.addresses))
     call.nodes = nodes_asked.answered(machine.log, call.asked_for, call.begun_nodes)
     if len(summaries.calls) > _MOST:

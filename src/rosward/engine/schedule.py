@@ -16,12 +16,13 @@ from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
+from rosward.engine.attributes_asked import records_of
 from rosward.engine.budget import BeginAnewError, LimitReachedError
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
 from rosward.engine.scheduled import Scheduled
 from rosward.engine.throwing import throw
-from rosward.engine.unchanged import is_unchanged, remembered
+from rosward.engine.unchanged import is_unchanged, made_many, remembered
 from rosward.engine.unheld import arrive, unheld
 from rosward.findings import Finding, Findings
 from rosward.ir.ops import Op
@@ -214,6 +215,7 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
             machine.state = base.copy()
             with remembered(machine, entry, base):
                 _call(machine, entry)
+            made_many(machine.state, base, machine.library.first_address)
             machine.state = join_states(base, machine.state, machine.fresh_version, merge)
         if start == (len(book.entries), machine.state.version):
             return
@@ -239,7 +241,7 @@ def _afford(machine: Engine, entry: Scheduled) -> bool:
 
 
 def _call(machine: Engine, entry: Scheduled) -> None:
-    """Run a callback. What it wrote in haste is doubted: where something is created of that, the whole process is to be followed anew."""
+    """Run a callback. What it wrote in haste is doubted: where something is created of that, the process is to be followed anew."""
     book, precision = machine.schedule_book, machine.precision
     book.event = entry.event
     machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
@@ -247,14 +249,21 @@ def _call(machine: Engine, entry: Scheduled) -> None:
         _run_once(machine, entry, short=False)
         return
     before, entries, made = machine.state.copy(), len(book.entries), machine.log.made
-    _run_once(machine, entry, short=not entry.costly)
-    reads_doubted = entry.doubted or not precision.doubted.isdisjoint(machine.asked_for)
-    if reads_doubted and machine.log.made != made:
-        raise BeginAnewError
-    if reads_doubted or (entry.coarse and not entry.costly):
-        precision.doubted.update(address for address, _ in machine.state.heap.changed_since(before.heap))
+    short = not entry.costly and _code_key(entry.callback) not in precision.careful
+    _run_once(machine, entry, short=short)
+    parts = entry.doubted.union(
+        *(precision.doubted[a] for a in precision.doubted.keys() & set(records_of(machine.asked_for)))
+    )
+    if parts and machine.log.made != made:
+        raise BeginAnewError(parts)
+    if short and entry.coarse:
+        parts |= {_code_key(entry.callback)}
+        precision.hurried |= parts
+    if parts:
+        for address, _ in machine.state.heap.changed_since(before.heap):
+            precision.doubted[address] = precision.doubted.get(address, parts) | parts
         for each in list(book.entries.values())[entries:]:
-            each.doubted = True
+            each.doubted = parts
 
 
 def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:
@@ -263,9 +272,10 @@ def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:
     frame.op = Op(entry.place.line, entry.place.column)
     frame.uncertain = 1
     machine.frames.append(frame)
-    hurried = machine.schedule_book.hurried and _code_key(entry.callback) not in machine.trace.creating
+    key = _code_key(entry.callback)
+    hurried = machine.schedule_book.hurried and key not in machine.trace.creating
     coarse = entry.coarse
-    heavy = machine.precision.begin_callback(coarse=coarse or hurried, short=short and not hurried)
+    heavy = machine.precision.begin_callback(key, coarse=coarse or hurried, short=short and not hurried)
     try:
         arrive(machine, entry)
         if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":

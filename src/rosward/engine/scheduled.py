@@ -29,7 +29,9 @@ class Scheduled:
         "doubted",
         "event",
         "exhausted",
+        "made",
         "nodes",
+        "parts",
         "place",
         "read",
         "runs",
@@ -47,10 +49,15 @@ class Scheduled:
         self.context = context
         self.coarse = False  # it took many steps: from now on it is followed with less precision
         self.costly = False  # it would be so in any case: all callbacks together took too many
-        self.doubted = False  # what registered it was followed in haste
+        self.doubted: frozenset[str] = (
+            frozenset()
+        )  # the callbacks that were followed in haste, of which one registered it
         self.answered: Value | None = None  # what is called with each result
         self.exhausted = False  # it hit a limit: it is not run again
         self.runs = 0  # how often it ran
         self.read: list[tuple[int, Obj | None]] = []  # the records that it asked for when it ran last, as it found them
+        # and those of which it asked for no more than one attribute
+        self.parts: list[tuple[int, str, Obj | None]] = []
+        self.made = False  # it created something of ROS
         self.nodes: Answered = ()  # and which nodes it asked for
         self.around: tuple[object, ...] = ()  # what else it may have asked for (`unchanged.py`)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, final
 
 from rosward.domain.memory import SHIFT
 from rosward.domain.values import UNBOUND, Value
+from rosward.engine.attributes_asked import records_of
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ class Summary:
         self.joined: Heap | None = None  # the heap that `before` was joined with last
         self.after: State | None = None
         self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
-        self.asked_for: set[int] = set()  # the addresses whose records its body read
+        self.asked_for: set[int] = set()  # the addresses whose records its body read, and its questions
         self.wrote: set[int] = set()  # and those at which it wrote, whether something else stands there now or not
         self.begun = before.done  # what had surely happened before its body ran last
         self.whole = False  # who calls sees all of the states behind, not only what the body changed
@@ -67,7 +68,7 @@ class Summary:
         count, pages = self.pages
         if count != len(self.asked_for):  # it only grows
             pages = {}
-            for address in self.asked_for:
+            for address in set(records_of(self.asked_for)):
                 pages.setdefault(address >> SHIFT, []).append(address)
             self.pages = len(self.asked_for), pages
         ours, theirs = one.pages, other.pages

@@ -9,27 +9,34 @@ What a callback did from the same records is in the state already. Each runs twi
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
 from rosward.engine import nodes_asked
+from rosward.engine.attributes_asked import FIRST, says_the_same
 
 if TYPE_CHECKING:
+    from rosward.domain.heap import Obj
     from rosward.domain.memory import Heap
     from rosward.domain.state import State
     from rosward.engine.machine import Engine
     from rosward.engine.scheduled import Scheduled
 
 _LEAST: Final = 2
+"""A callback that creates something of ROS runs so often at least: from the second time on, what it makes is made many times."""
+
+_ONE: Final = ("class", "module")
 
 
 def is_unchanged(machine: Engine, entry: Scheduled) -> bool:
     """Whether a callback would do what it did the last time."""
-    if entry.runs < _LEAST or entry.around != circumstances(machine):
+    if entry.runs < (_LEAST if entry.made else 1) or entry.around != circumstances(machine):
         return False
     heap = machine.state.heap
-    same = all(heap.get(address) is record for address, record in entry.read)
+    same = all(heap.get(address) is record for address, record in entry.read) and all(
+        says_the_same(record, heap.get(address), name) for address, name, record in entry.parts
+    )
     return same and nodes_asked.still_holds(machine.log, entry.nodes)
 
 
@@ -37,17 +44,49 @@ def is_unchanged(machine: Engine, entry: Scheduled) -> bool:
 def remembered(machine: Engine, entry: Scheduled, before: State) -> Iterator[None]:
     """A callback runs, from a state: what it reads there is noted with it."""
     around, outer, nodes = circumstances(machine), machine.asked_for, len(machine.log.nodes)
+    unheld, made = frozenset(machine.unheld), machine.log.made
     machine.asked_for = set()
     machine.summaries.memo.clear()  # what is remembered of a call tells nothing of what the call read
     try:
         yield
     finally:
-        heap: Heap = before.heap
-        entry.read = [(address, heap.get(address)) for address in machine.asked_for if address >= 0]
+        entry.read, entry.parts = _read(machine, before.heap, unheld)
+        entry.made = entry.made or machine.log.made != made
         entry.nodes = nodes_asked.answered(machine.log, machine.asked_for, nodes)
         entry.runs += 1
         entry.around = around
         machine.asked_for |= outer
+
+
+def _read(
+    machine: Engine, before: Heap, unheld: Set[int]
+) -> tuple[list[tuple[int, Obj | None]], list[tuple[int, str, Obj | None]]]:
+    """What a callback found where it looked: the records, and those of which it asked for one attribute.
+
+    Without what it made itself: nothing was there before, or something that nothing held.
+    """
+    whole: list[tuple[int, Obj | None]] = []
+    parts: list[tuple[int, str, Obj | None]] = []
+    first = machine.library.first_address
+    for asked in machine.asked_for:
+        if FIRST < asked < 0:
+            continue
+        address, name = (asked, "") if asked >= 0 else machine.attribute_names.asked(asked)
+        record = before.get(address)
+        if address in unheld or (record is None and address >= first):
+            continue
+        if asked >= 0:
+            whole.append((address, record))
+        else:
+            parts.append((address, name, record))
+    return whole, parts
+
+
+def made_many(state: State, before: State, first: int) -> None:
+    """What a callback has made is made many times: it runs again."""
+    for address, obj in list(state.heap.changed_since(before.heap)):
+        if address >= first and not obj.many and obj.kind not in _ONE and before.heap.get(address) is None:
+            state.heap[address] = obj.replace(many=True)
 
 
 def circumstances(machine: Engine) -> tuple[object, ...]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Tuple
+from rosward.domain.heap import KIND
 from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
@@ -183,7 +184,7 @@ def address(machine: Engine, slot: Value) -> Value:
         if isinstance(option, Overloads):
             plain = option.of(None)
             found.append(plain.functions[0] if len(plain.functions) == 1 and not plain.types else plain)
-        elif isinstance(option, Ref) and name_of(machine.obj(option).cls) == "array":
+        elif isinstance(option, Ref) and name_of(machine.part(option, KIND).cls) == "array":
             found.append(Pointer(Slot(option, "item", _ZERO)))
         elif isinstance(option, (Ref, Slot)):
             found.append(Pointer(option))

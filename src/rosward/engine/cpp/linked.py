@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final, final
 
-from rosward.domain.heap import Obj
+from rosward.domain.heap import KIND, Obj
 from rosward.domain.values import NONE, Class, Function, ModuleValue, Ref, Value
 from rosward.ir.symbols import Scope, Symbol, Symbols
 
@@ -187,12 +187,12 @@ class Linked:
         for address, cls in reversed(self.constructing):
             if address == ref.address:
                 return cls
-        return machine.obj(ref).cls
+        return machine.part(ref, KIND).cls
 
     def key_in(self, machine: Engine, ref: Ref, seen: Info, name: str) -> str | None:
         """Under which name an object has a field, as a class of it sees it; None where it has no such field."""
         key = seen.keys.get(name)
-        whole = self.info(machine.obj(ref).cls) if key is not None else None
+        whole = self.info(machine.part(ref, KIND).cls) if key is not None else None
         if key is None or whole is None or key not in whole.clashing:
             return key
         for cls in seen.cls.mro if seen.cls is not None else ():

@@ -118,7 +118,7 @@ def _field(machine: Engine, owner: Ref, key: str, info: Info) -> Value:
         return machine.unknown(Cause.OPERATION, f"field `{key}` of several bases")
     if info.shares:
         take_member(machine, owner, key)
-    held = machine.obj(owner).attrs.get(key, UNBOUND)
+    held = machine.part(owner, key).attrs.get(key, UNBOUND)
     if held is not UNBOUND and all(isinstance(o, (Ref, Slot)) for o in options(held)):
         return held
     return Slot(owner, "field", key)

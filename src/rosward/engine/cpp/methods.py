@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.heap import KIND
 from rosward.domain.slots import Overloads, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
@@ -122,7 +123,7 @@ def _of_one(
         found = of_variant(machine, slot, value, name, args, types, declared)
         if found is not None:
             return found
-    if isinstance(value, Ref) and isinstance(machine.obj(value).cls, Class):
+    if isinstance(value, Ref) and isinstance(machine.part(value, KIND).cls, Class):
         if scope is None and declared is not None and not own:
             scope = _hiding(machine, value, name, declared)
         function = _of_scope(machine, value, name, types, scope) if scope is not None else None

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import External, Partial
+from rosward.domain.heap import KIND
 from rosward.domain.slots import Overloads, Slot, TypeOf
 from rosward.domain.values import NONE, Class, ModuleValue, Ref, Unknown, Value
 from rosward.engine.cpp import access, members, names
@@ -112,7 +113,7 @@ def _declared(
 
 
 def _is_of(machine: Engine, this: Ref, owner: Info) -> bool:
-    cls = machine.obj(this).cls
+    cls = machine.part(this, KIND).cls
     return isinstance(cls, Class) and owner.cls in cls.mro
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
 from rosward.domain.compound import Descriptor, External, Native
-from rosward.domain.heap import Obj
+from rosward.domain.heap import KIND, Obj
 from rosward.domain.table import marked
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.escape import name_of
@@ -84,7 +84,7 @@ def store_past_hook(machine: Engine, ref: Ref, name: str, value: Value, *, weak:
 
 
 def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
-    obj = machine.obj(ref)
+    obj = machine.part(ref, KIND)
     hook = members.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
     if hook is not None and all(option.__class__ in HOOKS for option in options(hook)):
         return machine.call(members.bind(machine, hook, ref, obj.cls), (Const(name), value)) is not UNBOUND
@@ -123,7 +123,7 @@ def keep(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool) -> N
     if value is UNBOUND:
         remove(machine, ref, name)
         return
-    obj = machine.obj(ref)
+    obj = machine.part(ref, KIND)
     if store_in_table(machine, obj, name, value, weak=weak):
         return
     old = obj.attrs.get(name)

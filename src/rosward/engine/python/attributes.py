@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Super, Tuple
+from rosward.domain.heap import KIND
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.python import modules
@@ -134,7 +135,7 @@ def _of_nodes(machine: Engine, receiver: Value, name: str) -> Value | None:
 def method(machine: Engine, value: Value, name: str) -> Value | None:
     """A method of an object's class, bound; None where it has none."""
     if value.__class__ is Ref:
-        obj = machine.obj(value)
+        obj = machine.part(value, KIND)
         if obj.kind == "instance":
             found = lookup(machine, obj.cls, name)
             return None if found is None else bind(machine, found, value, obj.cls)
@@ -145,7 +146,7 @@ def method(machine: Engine, value: Value, name: str) -> Value | None:
 
 
 def _of_object(machine: Engine, ref: Ref, name: str) -> Value:
-    obj = machine.obj(ref)
+    obj = machine.part(ref, name)
     if obj.kind != "instance":
         if name == "__class__":
             return obj.cls
@@ -161,7 +162,7 @@ def _of_object(machine: Engine, ref: Ref, name: str) -> Value:
 
 def plain_attribute(machine: Engine, ref: Ref, name: str) -> Value:
     """What `object.__getattribute__` gives."""
-    obj = machine.obj(ref)
+    obj = machine.part(ref, name)
     cls = obj.cls
     own, sure = own_attribute(machine, obj, name)
     in_class = lookup(machine, cls, name)
@@ -201,7 +202,7 @@ def plain_attribute(machine: Engine, ref: Ref, name: str) -> Value:
 
 def _computed(machine: Engine, ref: Ref, name: str, read: Callable[[], Value]) -> Value:
     """What code of the program gives for an attribute; where it raises AttributeError, `__getattr__` is asked."""
-    fallback = lookup(machine, machine.obj(ref).cls, "__getattr__")
+    fallback = lookup(machine, machine.part(ref, KIND).cls, "__getattr__")
     if fallback is None:
         return read()
     found, failed = machine.guarded(read, "AttributeError", unseen=False)

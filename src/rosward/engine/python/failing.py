@@ -16,6 +16,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.compound import BoundMethod, External, Native, Partial, TooManyPartsError, Tuple
+from rosward.domain.heap import KIND
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Value
 from rosward.engine.python import members
 from rosward.engine.throwing import note
@@ -173,7 +174,7 @@ def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool:
 def _has(machine: Engine, value: Value, name: str) -> bool:
     """Whether a value surely has an attribute."""
     if value.__class__ is Ref:
-        obj = machine.obj(value)
+        obj = machine.part(value, name)
         if obj.kind != "instance":
             return True
         own = obj.attrs.get(name, UNBOUND)
@@ -198,7 +199,7 @@ def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool:
         return False
     if target.__class__ is not Ref:
         return True
-    cls = machine.obj(target).cls
+    cls = machine.part(target, KIND).cls
     if cls.__class__ is not Class:
         return not members.is_builtin_exception(cls)
     return members.lookup(machine, cls, "__slots__") is not None or members.lookup(machine, cls, op.name) is not None

@@ -120,13 +120,13 @@ def _initialised(machine: Machine, value: Value, what: str) -> Value:
 
 def read_field(machine: Machine, ref: Ref, name: str) -> Value:
     """What stands in a field of an object. No execution that is defined reads one that has no value yet, so what it may hold is what it holds."""
-    obj = machine.obj(ref)
+    obj = machine.part(ref, name)
     own = obj.attrs.get(name)
     if own is not None and own is not UNBOUND and (name not in obj.partial or not isinstance(obj.cls, External)):
         return own
     if isinstance(obj.cls, External):
         found = message_fields.load_field(machine, ref, name, own, unknown_sequence)
-        return message_fields.missing(machine, obj, name) if found is None else found
+        return message_fields.missing(machine, machine.obj(ref), name) if found is None else found
     return machine.unknown(Cause.OPERATION, f"field `{name}` without a value")
 
 

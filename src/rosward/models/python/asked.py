@@ -14,6 +14,7 @@ from typing import Final
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial, Tuple
+from rosward.domain.heap import KIND
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Function, Ref, Text, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import spread
@@ -23,7 +24,7 @@ def is_own(machine: Machine, value: Value, name: str) -> bool:
     """Whether `value.name` may be something else than what a model says."""
     return any(
         isinstance(option, Ref)
-        and machine.obj(option).kind == "instance"
+        and machine.part(option, KIND).kind == "instance"
         and any(not _modelled(found) for found in options(machine.load_attr(option, name)))
         for option in options(value)
     )

@@ -48,7 +48,7 @@ def table_of(machine: Machine, node: Value, which: str = _TABLE) -> Ref | None:
     """The table of an object that surely is a node."""
     if not isinstance(node, Ref):
         return None
-    found = machine.obj(node).attrs.get(which)
+    found = machine.part(node, which).attrs.get(which)
     return found if isinstance(found, Ref) else None
 
 
@@ -62,7 +62,7 @@ def flag(machine: Machine, node: Value, name: str) -> bool:
     """Whether a flag of a node may be set."""
     if not isinstance(node, Ref):
         return True
-    value = machine.obj(node).attrs.get(name, FALSE)
+    value = machine.part(node, name).attrs.get(name, FALSE)
     return not all(machine.truth(v) is False for v in options(value))
 
 

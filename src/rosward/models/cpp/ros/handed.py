@@ -61,7 +61,7 @@ def node_of(call: NativeCall, value: Value) -> Value:
 
     def one(option: Value) -> Value:
         if isinstance(option, Ref):
-            found = call.machine.obj(option).attrs.get(NODE, UNBOUND)
+            found = call.machine.part(option, NODE).attrs.get(NODE, UNBOUND)
             if found is not UNBOUND and found != NONE and not isinstance(found, (Unknown, Const)):
                 return target_of(call, found)
         return option
