@@ -166,7 +166,7 @@ def current_process():
     main = Process(name='MainProcess')
     return either(main, *_started) if _started else main
 def parent_process():
-    return None
+    return either(None, Process(name='MainProcess')) if _started else None
 def active_children():
     found = []
     for one in _started:
