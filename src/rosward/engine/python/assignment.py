@@ -19,6 +19,7 @@ from rosward.engine.python.attributes import setter_of
 from rosward.engine.python.functions import record_of
 from rosward.engine.python.namespaces import slots_of
 from rosward.engine.python.removal import HOOKS, remove
+from rosward.models.failures import fail
 from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
 from rosward.models.ros import message_fields
@@ -93,9 +94,13 @@ def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: b
         if in_class.setter is not None:
             return machine.call(in_class.setter, (ref, value)) is not UNBOUND
         if not obj.many:
-            cls = obj.cls.name if obj.cls.__class__ is Class else ""
-            machine.report("RW209", f"{cls}.{name} is a property of the node that cannot be set: AttributeError")
-            machine.throw(Native("builtins.AttributeError"))
+            shown = f"{obj.cls.name}.{name}" if obj.cls.__class__ is Class else name
+            fail(
+                machine,
+                Native("builtins.AttributeError"),
+                f"{shown} is a property that cannot be set: AttributeError",
+                (),
+            )
             return False
         return True
     setter = setter_of(machine, in_class)

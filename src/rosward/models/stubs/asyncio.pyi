@@ -3,7 +3,7 @@
 
 A future that is awaited gives its `result()`.
 """
-from _rosward import native, raises_nothing, reads_only, schedule, spin, unknown
+from _rosward import native, raises_nothing, reads_only, schedule, spin, tried, unknown
 from threading import Condition as Condition
 from threading import Lock as Lock
 from threading import Semaphore as Semaphore
@@ -149,8 +149,12 @@ BaseEventLoop = AbstractEventLoop
 SelectorEventLoop = AbstractEventLoop
 
 def get_event_loop():
+    if tried() and unknown('live', 'event loop', 'bool'):
+        raise RuntimeError('There is no current event loop')
     return _loop
 def get_running_loop():
+    if tried() and unknown('live', 'event loop', 'bool'):
+        raise RuntimeError('no running event loop')
     return _loop
 def new_event_loop():
     return _loop
