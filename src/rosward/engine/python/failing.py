@@ -53,64 +53,15 @@ NEVER: Final = frozenset(
 )
 """Operations that never fail, or tell it themselves."""
 _PLAIN: Final = (Const, Text, Tuple, Ref, Class, Native, Function, BoundMethod, Partial)
-_SAFE_BUILTINS: Final = frozenset(
-    [
-        "print",
-        "len",
-        "str",
-        "repr",
-        "bool",
-        "isinstance",
-        "issubclass",
-        "callable",
-        "type",
-        "id",
-        "list",
-        "tuple",
-        "dict",
-        "set",
-        "frozenset",
-        "range",
-        "enumerate",
-        "zip",
-        "super",
-        "object",
-        "hasattr",
-        "sorted",
-        "reversed",
-        "map",
-        "filter",
-        "vars",
-        "dir",
-        "locals",
-        "globals",
-        "property",
-        "staticmethod",
-        "classmethod",
-    ]
-)
-_NUMBERS: Final = frozenset(
-    [
-        "int",
-        "float",
-        "complex",
-        "bool",
-        "bytes",
-        "abs",
-        "min",
-        "max",
-        "sum",
-        "round",
-        "chr",
-        "ord",
-        "hex",
-        "oct",
-        "bin",
-        "divmod",
-        "pow",
-        "hash",
-    ]
-)
+_SAFE_BUILTINS: Final = frozenset([
+    "print", "len", "str", "repr", "bool", "isinstance", "issubclass", "callable", "type", "id", "list",
+    "tuple", "dict", "set", "frozenset", "range", "enumerate", "zip", "super", "object", "hasattr", "sorted",
+    "reversed", "map", "filter", "vars", "dir", "locals", "globals", "property", "staticmethod", "classmethod",
+])  # fmt: skip
+_NUMBERS: Final = frozenset([
+    "int", "float", "complex", "bool", "bytes", "abs", "min", "max", "sum", "round", "chr", "ord", "hex", "oct",
+    "bin", "divmod", "pow", "hash",
+])  # fmt: skip
 _WITH_EXCEPTIONS: Final = frozenset(
     {
         "copy",
@@ -121,7 +72,6 @@ _WITH_EXCEPTIONS: Final = frozenset(
         "locale",
         "pexpect",
         "pkg_resources",
-        "rclpy",
         "simplejson",
         "socket",
         "tomllib",
