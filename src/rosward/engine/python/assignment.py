@@ -13,6 +13,7 @@ from rosward.domain.compound import Descriptor, External, Native
 from rosward.domain.heap import Obj
 from rosward.domain.table import marked
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
+from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import name_of
 from rosward.engine.python import members
 from rosward.engine.python.attributes import setter_of
@@ -44,6 +45,12 @@ def open_up(machine: Engine, value: Value) -> None:
 def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
     """target.name = value; False where this raises for sure."""
     several = target.__class__ is Choice
+    if several and any(members.is_computed(machine, o, name, written=True) for o in options(target)):
+
+        def one(option: Value) -> Value:
+            return NONE if store(machine, option, name, value) else UNBOUND
+
+        return each_apart(machine, options(target), one) is not UNBOUND
     for option in options(target):
         if option.__class__ is Ref:
             if not _store_object(machine, option, name, value, weak=several):

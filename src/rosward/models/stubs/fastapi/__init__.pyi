@@ -3,7 +3,7 @@
 
 Read from fastapi 0.115. What only says how a request is read, shown or answered is not here: it is unknown.
 """
-from _rosward import awaited, either, schedule, unknown
+from _rosward import awaited, either, schedule, spin, unknown
 import contextlib
 import functools
 import inspect
@@ -85,7 +85,7 @@ def _left(generator):
     contextlib._end(generator, None)
 async def _lives(lifespan, app):
     async with lifespan(app):
-        pass
+        spin()  # requests come
 
 def _before(options):
     """What runs before an endpoint, for what it does alone."""
