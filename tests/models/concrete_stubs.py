@@ -110,6 +110,7 @@ class Stubs:
                 spin=self._spin,
                 escape=lambda *_: None,
                 ask=lambda *_: None,
+                tried=lambda: False,
                 reads_only=lambda marked: marked,
                 pure=lambda marked: marked,
                 stops=lambda marked: marked,

@@ -71,6 +71,7 @@ def add(
                 _context(machine, option, event),
             )
             entry.answered = answered
+            book.beside = book.beside or event == "coroutine"
             if event == "thread" and not book.running:
                 _start(machine, entry)
                 waits(machine)
@@ -135,6 +136,7 @@ def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> Non
     book = machine.schedule_book
     if book.running:
         book.beside = book.beside or (serving and book.event == "thread")
+        _between(machine)
         return
     book.spins += 1
     if book.settled != (len(book.entries), machine.state.version):
@@ -154,10 +156,26 @@ def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> Non
 def waits(machine: Engine) -> None:
     """The main body waits: what a thread spins beside it may run meanwhile."""
     book = machine.schedule_book
-    if not book.running:
-        machine.summaries.asked += 1  # it depends on which threads there are
-        if book.beside:
-            spin(machine, beside=True)
+    if book.running:
+        _between(machine)
+        return
+    machine.summaries.asked += 1  # it depends on which threads there are
+    if book.beside:
+        spin(machine, beside=True)
+
+
+def _between(machine: Engine) -> None:
+    """A callback waits: what it has written so far is seen by all others, even if it takes that back before it ends.
+
+    self.node = create_node('n'); spin(self.node); self.node = None
+    """
+    book, state = machine.schedule_book, machine.state
+    if book.seen == state.version:
+        return
+    book.seen = state.version
+    machine.summaries.asked += 1  # a call in which this happens is not remembered
+    seen = state.copy()
+    book.between = seen if book.between is None else join_states(book.between, seen, machine.fresh_version)
 
 
 def uncaught(machine: Engine, exception: Value) -> None:
@@ -243,14 +261,16 @@ def _afford(machine: Engine, entry: Scheduled) -> bool:
 def _call(machine: Engine, entry: Scheduled) -> None:
     """Run a callback. What it wrote in haste is doubted: where something is created of that, the process is to be followed anew."""
     book, precision = machine.schedule_book, machine.precision
-    book.event = entry.event
+    book.event, book.between, book.seen = entry.event, None, machine.state.version
     machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
     if not precision.hasty:
         _run_once(machine, entry, short=False)
+        _leave_between(machine)
         return
     before, entries, made = machine.state.copy(), len(book.entries), machine.log.made
     short = not entry.costly and _code_key(entry.callback) not in precision.careful
     _run_once(machine, entry, short=short)
+    _leave_between(machine)
     parts = entry.doubted.union(
         *(precision.doubted[a] for a in precision.doubted.keys() & set(records_of(machine.asked_for)))
     )
@@ -264,6 +284,14 @@ def _call(machine: Engine, entry: Scheduled) -> None:
             precision.doubted[address] = precision.doubted.get(address, parts) | parts
         for each in list(book.entries.values())[entries:]:
             each.doubted = parts
+
+
+def _leave_between(machine: Engine) -> None:
+    """What was there while the callback waited may be there."""
+    book = machine.schedule_book
+    if book.between is not None:
+        machine.state = join_states(machine.state, book.between, machine.fresh_version)
+        book.between = None
 
 
 def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:

@@ -34,6 +34,7 @@ class Schedule:
         "_threads_raised",
         "asked",
         "beside",
+        "between",
         "by_library",
         "entries",
         "event",
@@ -41,6 +42,7 @@ class Schedule:
         "named",
         "raised",
         "running",
+        "seen",
         "settled",
         "spins",
         "waited",
@@ -53,6 +55,8 @@ class Schedule:
         self.beside = False  # a thread was started that spins: callbacks run wherever the main body waits
         self.waited = 0  # how often the main body waited then
         self.hurried = False  # it did so often that callbacks are followed with less precision there
+        self.between: State | None = None  # what was there while the callback that runs waited
+        self.seen = -1  # the version of the state in which it waited last
         self.by_library = False  # something that the program handed out may be called by a library
         self._main_raised: Value = UNBOUND
         self._threads_raised: Value = UNBOUND

@@ -81,10 +81,14 @@ def _name(value: Value) -> NameOption:
     depends = tuple(sorted({o.name for o in origins}))
     if value.__class__ is Const and isinstance(value.value, str):
         return NameOption(pattern(value), resolution_of(origins), depends, ())
-    reasons = reasons_of(value)
+    reasons = reasons_of(value) or (Reason(Cause.ERROR, f"{_told(value)} is no name", Place("", 0)),)
     if value.__class__ is Text:
         return NameOption(pattern(value), Resolution.PATTERN, _depends(depends, reasons), reasons)
     return NameOption(HOLE, Resolution.UNKNOWN, _depends(depends, reasons), reasons)
+
+
+def _told(value: Value) -> str:
+    return repr(value.value)[:40] if value.__class__ is Const else "an object"
 
 
 _SETTABLE: Final = (*INSTEAD, Cause.ELEMENT, Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)

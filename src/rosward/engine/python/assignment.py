@@ -13,12 +13,14 @@ from rosward.domain.compound import Descriptor, External, Native
 from rosward.domain.heap import KIND, Obj
 from rosward.domain.table import marked
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
+from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import name_of
 from rosward.engine.python import members
 from rosward.engine.python.attributes import setter_of
 from rosward.engine.python.functions import record_of
 from rosward.engine.python.namespaces import slots_of
 from rosward.engine.python.removal import HOOKS, remove
+from rosward.models.failures import fail
 from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
 from rosward.models.ros import message_fields
@@ -43,6 +45,12 @@ def open_up(machine: Engine, value: Value) -> None:
 def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
     """target.name = value; False where this raises for sure."""
     several = target.__class__ is Choice
+    if several and any(members.is_computed(machine, o, name, written=True) for o in options(target)):
+
+        def one(option: Value) -> Value:
+            return NONE if store(machine, option, name, value) else UNBOUND
+
+        return each_apart(machine, options(target), one) is not UNBOUND
     for option in options(target):
         if option.__class__ is Ref:
             if not _store_object(machine, option, name, value, weak=several):
@@ -93,9 +101,13 @@ def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: b
         if in_class.setter is not None:
             return machine.call(in_class.setter, (ref, value)) is not UNBOUND
         if not obj.many:
-            cls = obj.cls.name if obj.cls.__class__ is Class else ""
-            machine.report("RW209", f"{cls}.{name} is a property of the node that cannot be set: AttributeError")
-            machine.throw(Native("builtins.AttributeError"))
+            shown = f"{obj.cls.name}.{name}" if obj.cls.__class__ is Class else name
+            fail(
+                machine,
+                Native("builtins.AttributeError"),
+                f"{shown} is a property that cannot be set: AttributeError",
+                (),
+            )
             return False
         return True
     setter = setter_of(machine, in_class)

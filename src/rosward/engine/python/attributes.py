@@ -16,10 +16,11 @@ from rosward.domain.compound import BoundMethod, Descriptor, External, Native, P
 from rosward.domain.heap import KIND
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
+from rosward.engine.alternatives import each_apart
 from rosward.engine.python import modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
 from rosward.engine.python.functions import kept_table, of_function, of_partial
-from rosward.engine.python.members import bind, lookup, of_native_class, type_name
+from rosward.engine.python.members import bind, is_computed, lookup, of_native_class, type_name
 from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
 from rosward.models.python.attribute_tables import TABLE, own_attribute
@@ -46,7 +47,7 @@ def load(machine: Engine, value: Value, name: str) -> Value:
     if value.__class__ is External:
         return _of_external(machine, value, name)
     if value.__class__ is Choice:
-        return join_all(load(machine, o, name) for o in value.options if not (o == NONE and len(value.options) > 1))
+        return _of_several(machine, [o for o in value.options if o != NONE], name)
     if value.__class__ is Unknown:
         return _of_unknown(machine, value, name)
     if value.__class__ is Super:
@@ -71,6 +72,13 @@ def load(machine: Engine, value: Value, name: str) -> Value:
     if value.__class__ is Partial and name in ("func", "args", "keywords", "__call__"):
         return of_partial(machine, value, name)
     return _of_builtin(machine, value, name)
+
+
+def _of_several(machine: Engine, several: list[Value], name: str) -> Value:
+    """The attribute of each; where code runs for that, what it does is done for one of them."""
+    if any(is_computed(machine, o, name) for o in several):
+        return each_apart(machine, several, lambda o: load(machine, o, name))
+    return join_all(load(machine, o, name) for o in several)
 
 
 def _of_external(machine: Engine, value: External, name: str) -> Value:

@@ -329,7 +329,7 @@ def call_function(machine: Engine, function: Function, args: Arguments, keywords
 def wait_for(machine: Engine, value: Value) -> Value:
     """`await value`."""
     if value.__class__ is Choice:
-        return join_all(wait_for(machine, o) for o in value.options)
+        return each_apart(machine, value.options, lambda o: wait_for(machine, o))
     if value.__class__ is Ref:
         obj = machine.obj(value)
         if obj.kind == "generator":

@@ -11,6 +11,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     FALSE,
+    NONE,
     TRUE,
     UNBOUND,
     Choice,
@@ -218,7 +219,10 @@ def unary(machine: Engine, operator: str, value: Value) -> Value:
         if decided is None:
             return machine.unknown(Cause.OPERATION, "not", "bool")
         return FALSE if decided else TRUE
-    method = special(machine, value, f"__{_UNARY[operator]}__")
+    name = f"__{_UNARY[operator]}__"
+    if value.__class__ is Choice and any(special(machine, o, name) is not None for o in value.options):
+        return each_apart(machine, value.options, lambda o: unary(machine, operator, o))
+    method = special(machine, value, name)
     if method is not None:
         return machine.call(method, ())
     return operators.unary(machine, operator, bare(machine, value))
@@ -231,7 +235,16 @@ def truth(machine: Engine, value: Value) -> bool | None:
     if value.__class__ in _CALLABLE:
         return True
     if value.__class__ is Choice:
-        answers = {truth(machine, o) for o in value.options}
+        answers: set[bool | None] = set()
+
+        def one(option: Value) -> Value:
+            answers.add(truth(machine, option))
+            return NONE
+
+        if any(special(machine, o, n) is not None for o in value.options for n in ("__bool__", "__len__")):
+            each_apart(machine, value.options, one)
+        else:
+            answers.update(truth(machine, o) for o in value.options)
         return answers.pop() if len(answers) == 1 else None
     if value.__class__ is Ref:
         obj: Obj = machine.obj(value)
@@ -261,6 +274,17 @@ def has_unknown_base(cls: Class) -> bool:
 
 def may(machine: Engine, value: Value, test: str, other: Value | None, sense: bool) -> bool:
     """Whether a test may come out as `sense` for one alternative of a value."""
+    if value.__class__ is not Ref or machine.obj(value).kind != "instance":
+        return _may(machine, value, test, other, sense)
+    before = machine.state
+    machine.state = before.copy()  # the test was made already: what a method of the object does is not done again
+    try:
+        return _may(machine, value, test, other, sense)
+    finally:
+        machine.state = before
+
+
+def _may(machine: Engine, value: Value, test: str, other: Value | None, sense: bool) -> bool:
     if test == "true":
         answer = truth(machine, value)
     elif test == "isinstance":

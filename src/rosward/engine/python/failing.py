@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.compound import BoundMethod, External, Native, Partial, TooManyPartsError, Tuple
 from rosward.domain.heap import KIND
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Value
+from rosward.engine.catcher import LIBRARY, OPERATION
 from rosward.engine.python import members
 from rosward.engine.throwing import note
 from rosward.ir import ops
@@ -53,64 +54,32 @@ NEVER: Final = frozenset(
 )
 """Operations that never fail, or tell it themselves."""
 _PLAIN: Final = (Const, Text, Tuple, Ref, Class, Native, Function, BoundMethod, Partial)
-_SAFE_BUILTINS: Final = frozenset(
-    [
-        "print",
-        "len",
-        "str",
-        "repr",
-        "bool",
-        "isinstance",
-        "issubclass",
-        "callable",
-        "type",
-        "id",
-        "list",
-        "tuple",
-        "dict",
-        "set",
-        "frozenset",
-        "range",
-        "enumerate",
-        "zip",
-        "super",
-        "object",
-        "hasattr",
-        "sorted",
-        "reversed",
-        "map",
-        "filter",
-        "vars",
-        "dir",
-        "locals",
-        "globals",
-        "property",
-        "staticmethod",
-        "classmethod",
-    ]
+_SAFE_BUILTINS: Final = frozenset([
+    "print", "len", "str", "repr", "bool", "isinstance", "issubclass", "callable", "type", "id", "list",
+    "tuple", "dict", "set", "frozenset", "range", "enumerate", "zip", "super", "object", "hasattr", "sorted",
+    "reversed", "map", "filter", "vars", "dir", "locals", "globals", "property", "staticmethod", "classmethod",
+])  # fmt: skip
+_NUMBERS: Final = frozenset([
+    "int", "float", "complex", "bool", "bytes", "abs", "min", "max", "sum", "round", "chr", "ord", "hex", "oct",
+    "bin", "divmod", "pow", "hash",
+])  # fmt: skip
+_WITH_EXCEPTIONS: Final = frozenset(
+    {
+        "copy",
+        "csv",
+        "getopt",
+        "io",
+        "json",
+        "locale",
+        "pexpect",
+        "pkg_resources",
+        "simplejson",
+        "socket",
+        "tomllib",
+        "yaml",
+    }
 )
-_NUMBERS: Final = frozenset(
-    [
-        "int",
-        "float",
-        "complex",
-        "bool",
-        "bytes",
-        "abs",
-        "min",
-        "max",
-        "sum",
-        "round",
-        "chr",
-        "ord",
-        "hex",
-        "oct",
-        "bin",
-        "divmod",
-        "pow",
-        "hash",
-    ]
-)
+"""Modules with exceptions of their own, of which functions are known that no stub declares."""
 _EVALUATED: Final = frozenset({"", "builtins", "str", "int", "float", "bytes", "list", "dict", "set", "tuple"})
 _SAFE_TYPES: Final = frozenset({"str", "list", "dict", "set", "tuple", "object", "BaseException", "BaseExceptionGroup"})
 _UNSAFE_METHODS: Final = frozenset({"pop", "popitem", "remove", "index", "format", "format_map", "encode", "update"})
@@ -154,7 +123,18 @@ def run_noting(machine: Engine, block: ops.Block, frame: Frame) -> bool:
 def may_fail(machine: Engine, op: ops.Op, frame: Frame) -> int:
     """What Python itself may raise in an operation, before it is interpreted."""
     judge = _JUDGES.get(op.__class__)
-    return 1 if judge is None or judge(machine, op, frame) else 0
+    if judge is not None and not judge(machine, op, frame):
+        return 0
+    return LIBRARY if op.__class__ is ops.Call and _raises_its_own(frame.registers[op.func]) else OPERATION
+
+
+def _raises_its_own(function: Value) -> bool:
+    """Whether a call may raise an exception that its library defines: `json.loads`."""
+    while function.__class__ in (BoundMethod, Partial):
+        function = function.function
+    if function.__class__ is Choice:
+        return any(_raises_its_own(o) for o in function.options)
+    return function.__class__ in (Native, External) and function.name.partition(".")[0] in _WITH_EXCEPTIONS
 
 
 def _load_global(machine: Engine, op: ops.LoadGlobal, frame: Frame) -> bool:

@@ -309,6 +309,8 @@ def _run_coroutine(machine: Engine, suspension: Suspension, action: Resumption =
     before = machine.state
     if action.kind == "close":
         return Stepped(UNBOUND, before)
+    if action.kind in ("send", "throw"):
+        machine.report("RW203", f"a coroutine that the program advances by {action.kind}() is run to its end at once")
     ended: State | None = None
     value: Value = UNBOUND
     for number, (point, registers) in enumerate(suspension.points.items()):

@@ -14,6 +14,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.engine.python import attributes, calls, classes, matching, members, metaclasses
+from rosward.engine.python.specials import special
 from rosward.ir import ops
 from rosward.models.native import Items
 from rosward.models.python.containers.lists import new_tuple
@@ -87,13 +88,22 @@ def load(machine: Engine, value: Value, index: Value) -> Value:
 
 def store(machine: Engine, target: Value, index: Value, value: Value) -> None:
     """target[index] = value."""
-    for option in options(target):
+    several = options(target)
+    if len(several) > 1 and any(special(machine, o, "__setitem__") is not None for o in several):
+
+        def one(option: Value) -> Value:
+            store(machine, option, index, value)
+            return NONE
+
+        each_apart(machine, several, one)
+        return
+    for option in several:
         if option.__class__ is Ref and machine.obj(option).kind == "instance":
             method = attributes.method(machine, option, "__setitem__")
             if method is not None:
                 calls.call(machine, method, (index, value), {})
         else:
-            operators.store_item(machine, option, index, value, weak=len(options(target)) > 1)
+            operators.store_item(machine, option, index, value, weak=len(several) > 1)
 
 
 def delete(machine: Engine, target: Value, index: Value) -> None:

@@ -84,3 +84,16 @@ def bind(machine: Engine, found: Value, receiver: Value, cls: Value) -> Value:
         if getter is not None:
             return machine.call(getter, (found, receiver, cls))
     return found
+
+
+def is_computed(machine: Engine, value: Value, name: str, *, written: bool = False) -> bool:
+    """Whether code of a class runs where an attribute of its object is asked for, or written: a property, a descriptor, `__getattr__`."""
+    obj = machine.obj(value) if value.__class__ is Ref else None
+    if obj is None or obj.kind != "instance" or obj.cls.__class__ is not Class:
+        return False
+    found = lookup(machine, obj.cls, name)
+    if found is None or written:
+        hook = lookup(machine, obj.cls, "__setattr__" if written else "__getattr__")
+        if hook is not None and (written or name not in obj.attrs):
+            return True
+    return found.__class__ is Ref or (found.__class__ is Descriptor and found.kind in ("property", "cached_property"))

@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join, options
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Choice, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.python import contents
+from rosward.engine.python.specials import special
 from rosward.models.native import Arguments, NativeCall, NativeFunction, perform
 from rosward.models.python.containers.lists import ITERATOR, write_series
 from rosward.models.python.contents import KINDS
@@ -65,11 +66,31 @@ def invoke(
     return value
 
 
+_ASKED: Final = {
+    **{
+        f"builtins.{n}": f"__{n}__"
+        for n in ("len", "abs", "int", "float", "round", "hash", "str", "repr", "bool", "format", "reversed")
+    },
+    "operator.neg": "__neg__",
+}
+"""Builtins that ask an object by a method of its own."""
+
+
+def _of_each(machine: Engine, native: NativeFunction, call: NativeCall) -> Value:
+    """What a builtin does that asks an object: of several, it asks one."""
+    method, asked = _ASKED.get(call.name), call.args[0] if call.args else NONE
+    if method is None or asked.__class__ is not Choice:
+        return perform(native, call)
+    if all(special(machine, o, method) is None for o in asked.options):
+        return perform(native, call)
+    return each_apart(machine, asked.options, lambda o: perform(native, _to(call, o)))
+
+
 def _on_contents(machine: Engine, native: NativeFunction, call: NativeCall) -> Value:
     """A method of a builtin type, on an object of a subclass, acts on what the object holds."""
     kind, _, method = call.name.rpartition(".")
     if kind not in _HELD or not call.args:
-        return perform(native, call)
+        return _of_each(machine, native, call)
 
     def one(receiver: Value) -> Value:
         held = held_by(machine, receiver)

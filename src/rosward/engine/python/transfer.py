@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join
 from rosward.domain.compound import Slice
 from rosward.domain.heap import Obj
-from rosward.domain.values import NONE, UNBOUND, Const, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Const, Value
+from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
 from rosward.engine.python import (
@@ -26,6 +27,7 @@ from rosward.engine.python import (
     removal,
     suspending,
 )
+from rosward.engine.python.specials import special
 from rosward.engine.recalled_loops import recalling
 from rosward.ir import ops
 from rosward.models.python.strings.formatting import joined
@@ -95,6 +97,9 @@ def _build(machine: Engine, op: ops.Build, frame: Frame) -> None:
     frame.registers[op.dst] = items.build(machine, op, frame)
 
 
+_SHOWN: Final = ("__format__", "__str__", "__repr__")
+
+
 def _format(machine: Engine, op: ops.Format, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     registers = frame.registers
@@ -105,8 +110,15 @@ def _format(machine: Engine, op: ops.Format, frame: Frame) -> None:
             continue
         register, conversion, spec = part
         spec_value = registers[spec] if spec != ops.NO_REGISTER else None
-        known.append(format_value(machine, registers[register], conversion, spec_value))
+        known.append(_formatted(machine, registers[register], conversion, spec_value))
     frame.registers[op.dst] = joined(machine, known)
+
+
+def _formatted(machine: Engine, value: Value, conversion: str, spec: Value | None) -> Value:
+    """What stands for a value in a text; of several objects with methods of their own for that, one is asked."""
+    if value.__class__ is Choice and any(special(machine, o, n) is not None for o in value.options for n in _SHOWN):
+        return each_apart(machine, value.options, lambda o: format_value(machine, o, conversion, spec))
+    return format_value(machine, value, conversion, spec)
 
 
 def _make_class(machine: Engine, op: ops.MakeClass, frame: Frame) -> None:

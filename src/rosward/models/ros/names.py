@@ -6,14 +6,14 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.certain import text_of
-from rosward.domain.choice import join_all, options
+from rosward.domain.choice import join, join_all, lift, options
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause
-from rosward.domain.values import Const, Ref, Value
+from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.effects.log import NodeEffect
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.naming.final_name import final_name, full_name, remaps_of
-from rosward.ros import names
+from rosward.ros import names, validation
 
 
 def nodes_at(machine: Machine, node: Value) -> list[NodeEffect]:
@@ -87,9 +87,40 @@ def refused(machine: Machine, node: Value, name: Value, kind: names.RemapKind) -
     return None if doubt else False
 
 
+_VALIDATED: Final = {
+    "name": validation.validate_name,
+    "full": validation.validate_full,
+    "node": validation.validate_node_name,
+    "namespace": validation.validate_namespace,
+}
+
+
+def _refused(call: NativeCall) -> Value:
+    """`_rosward.refused(name, kind, sure)`: why rcl refuses a name; None where it takes it, or no `try` is around: what follows is analysed then.
+
+    With `sure`, what may be refused or not is taken.
+    """
+    machine = call.machine
+    name, kind = call.args[:2]
+    validate = _VALIDATED[text_of(kind) or "name"]
+    sure = len(call.args) > 2
+    doubt = NONE if sure else machine.unknown(Cause.OPERATION, "name", "str")
+
+    def why(option: Value) -> Value:
+        if not isinstance(option, Const) or not isinstance(option.value, str):
+            return join(NONE, doubt)
+        found = validate(pattern(option))
+        told = NONE if found is None else Const(found)
+        return join(told, doubt) if option.origins and not sure else told
+
+    return NONE if not machine.is_tried or (sure and len(options(name)) > 1) else lift(why, name)
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.node_name": _node_name,
     "_rosward.node_namespace": _node_namespace,
     "_rosward.node_fqn": _node_fqn,
     "_rosward.resolve_name": _resolve_name,
+    "_rosward.refused": _refused,
+    "_rosward.tried": lambda call: Const(call.machine.is_tried),
 }

@@ -174,6 +174,9 @@ class _Group(_ActionsContainer):
         self._actions = container._actions
         self._defaults = container._defaults
 
+def _holds(target, name):
+    return name in vars(target) if isinstance(target, Namespace) else hasattr(target, name)
+
 class _SubParsers:
     def __init__(self, parent, dest, required):
         self._parent = parent
@@ -242,14 +245,18 @@ class ArgumentParser(_ActionsContainer):
     def _parse(self, args, namespace, some):
         arguments = sys.argv[1:] if args is None else args
         target = Namespace() if namespace is None else namespace
+        names = [] if namespace is None else [*[action.dest for action in self._actions], *self._defaults]
+        before = {name: getattr(target, name) for name in names if _holds(target, name)}
         found = _exact(self._actions, arguments, some, self._prefix) if not self._sub else None
         if found is None:
             self._fill(target, None, False)
             if not _is_typed(arguments):
                 self._loosen(target)
-            return target, unknown('argument', 'sys.argv', 'list')
-        self._fill(target, found[0], False)
-        return target, found[1]
+        else:
+            self._fill(target, found[0], False)
+        for name in before:  # no default replaces what is there
+            setattr(target, name, either(before[name], getattr(target, name)))
+        return target, unknown('argument', 'sys.argv', 'list') if found is None else found[1]
     def parse_args(self, args=None, namespace=None):
         return self._parse(args, namespace, False)[0]
     def parse_known_args(self, args=None, namespace=None):

@@ -3,7 +3,7 @@
 
 A future that is awaited gives its `result()`.
 """
-from _rosward import native, raises_nothing, reads_only, schedule, spin, unknown
+from _rosward import native, pure, raises_nothing, reads_only, schedule, spin, tried, unknown, waits
 from threading import Condition as Condition
 from threading import Lock as Lock
 from threading import Semaphore as Semaphore
@@ -60,7 +60,7 @@ class Task(Future):
     def __init__(self, coro, *, loop=None, name=None, context=None):
         super().__init__()
         self._coro = coro
-        schedule(self._run, event='task')
+        schedule(self._run, event='coroutine')
     def _run(self):
         self._result = _wait(self._coro)
     @raises_nothing
@@ -149,8 +149,12 @@ BaseEventLoop = AbstractEventLoop
 SelectorEventLoop = AbstractEventLoop
 
 def get_event_loop():
+    if tried() and unknown('live', 'event loop', 'bool'):
+        raise RuntimeError('There is no current event loop')
     return _loop
 def get_running_loop():
+    if tried() and unknown('live', 'event loop', 'bool'):
+        raise RuntimeError('no running event loop')
     return _loop
 def new_event_loop():
     return _loop
@@ -193,7 +197,12 @@ def iscoroutinefunction(func) -> bool: ...
 @reads_only
 def isfuture(obj) -> bool: ...
 
+@reads_only
+@waits
+@pure
+def _pause() -> None: ...
 async def sleep(delay, result=None):
+    _pause()
     return result
 async def gather(*coros_or_futures, return_exceptions=False):
     tasks = [ensure_future(one) for one in coros_or_futures]

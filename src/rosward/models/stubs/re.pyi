@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`re`: exact for short patterns on short constants (see models/python/std/texts.py), else unknown."""
-from _rosward import native, reads_only, unknown
+from _rosward import native, pure, raises_nothing, reads_only, unknown
 
 @native
 def _find(how, pattern, flags, text, pos, endpos): ...
@@ -14,6 +14,12 @@ def _sub(pattern, flags, repl, text, count): ...
 def _sub_by(pattern, function, text, count): ...
 @native
 def _expanded(template, groups): ...
+@raises_nothing
+@native
+def _is_doubtful(pattern): ...
+@pure
+@reads_only
+def _refuse(pattern) -> None: ...
 
 A = ASCII = 256
 I = IGNORECASE = 2
@@ -99,6 +105,8 @@ def _found(groups):
     return tuple(parts)
 
 def compile(pattern, flags=0):
+    if _is_doubtful(pattern):
+        _refuse(pattern)
     return pattern if isinstance(pattern, Pattern) else Pattern(pattern, flags)
 def match(pattern, string, flags=0):
     return compile(pattern, flags).match(string)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`threading`: what a thread runs may run at any time from its start on."""
-from _rosward import native, raises_nothing, reads_only, schedule, spin, spins, unknown
+from _rosward import either, native, raises_nothing, reads_only, schedule, spin, spins, unknown
+from queue import _alone
 
 reads_only(__name__)
 
@@ -19,6 +20,7 @@ class Thread:
         self.ident = unknown('random', 'threading.Thread.ident', 'int')
         self.native_id = unknown('random', 'threading.Thread.native_id', 'int')
     def start(self):
+        _started.append(self)
         schedule(self.run, event='thread')
         schedule(_end, event='end of a thread')
     def run(self):
@@ -117,17 +119,25 @@ class local:
             object.__delattr__(self, name)
 
 _main = Thread(name='MainThread')
+_started = []
 
 def current_thread():
-    return _main
+    """The main one, as long as nothing runs beside it; later any other may ask, those of a pool among them."""
+    return either(_main, Thread(), *_started) if _started or not _alone() else _main
 def currentThread():
-    return _main
+    return current_thread()
 def main_thread():
     return _main
 def active_count() -> int: ...
 def activeCount() -> int: ...
 def enumerate():
-    return [_main]
+    found = [_main]
+    for one in _started:
+        if one.is_alive():
+            found.append(one)
+    if not _alone() and unknown('live', 'thread', 'bool'):
+        found.append(Thread())
+    return found
 def settrace(func): ...
 def setprofile(func): ...
 def stack_size(size=0, /) -> int: ...

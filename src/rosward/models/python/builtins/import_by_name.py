@@ -21,6 +21,7 @@ def _text(value: Value) -> str | None:
 
 def _not_known(call: NativeCall) -> Value:
     call.machine.report("RW203", "the name of the module imported here is unknown")
+    call.machine.die("ModuleNotFoundError", "the name of a module")
     return call.machine.unknown(Cause.CALL, call.name)
 
 

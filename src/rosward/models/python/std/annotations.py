@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterable, Mapping
-from typing import Final, TypeGuard
+from typing import Final, NamedTuple, TypeGuard
 
-from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, Descriptor, Native, Tuple
+from rosward.domain.choice import lift
+from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial, Tuple
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
@@ -87,20 +87,23 @@ def _is_annotated(tree: ast.expr) -> TypeGuard[ast.Subscript]:
 
 
 def _evaluated(machine: Machine, module: ModuleValue, tree: ast.expr) -> Value:
-    """A part of `Annotated[…]`: a name, or a call of one with names (`Depends(get_node)`)."""
-    if isinstance(tree, ast.Call) and not tree.keywords:
-        return machine.call(
-            _evaluated(machine, module, tree.func), tuple(_evaluated(machine, module, part) for part in tree.args)
-        )
+    """A part of `Annotated[…]`: a name, a constant, or a call with such (`Depends(get_node)`)."""
+    if isinstance(tree, ast.Call) and not any(isinstance(a, ast.Starred) for a in tree.args):
+        words = {word.arg: _evaluated(machine, module, word.value) for word in tree.keywords if word.arg is not None}
+        if len(words) == len(tree.keywords):
+            function = _evaluated(machine, module, tree.func)
+            return machine.call(function, tuple(_evaluated(machine, module, part) for part in tree.args), words)
+    if isinstance(tree, ast.Constant) and isinstance(tree.value, (str, int, float, bool, bytes)):
+        return Const(tree.value)
     found = named(machine, module, tree)
     return found[0] if len(found) == 1 else _unknown(machine)
 
 
-def _meant(machine: Machine, module: ModuleValue, text: str, *, hints: bool) -> Value:
-    """What an annotation is when the program runs; what `get_type_hints` makes of it."""
-    if not hints and _is_text(machine, module):
+def _meant(machine: Machine, module: ModuleValue, text: str, *, hints: bool, read: bool = False) -> Value:
+    """What an annotation is when the program runs; what `get_type_hints` makes of it. `read` says that texts are evaluated."""
+    if not hints and not read and _is_text(machine, module):
         return Const(text)
-    if not hints and text[:1] in "'\"":  # a text is evaluated for `get_type_hints` alone
+    if not hints and not read and text[:1] in "'\"":  # a text is evaluated for `get_type_hints` alone
         return Const(text.strip("'\""))
     tree = parsed(text)
     if hints and _is_annotated(tree):
@@ -108,7 +111,8 @@ def _meant(machine: Machine, module: ModuleValue, text: str, *, hints: bool) -> 
     if not hints and isinstance(tree, ast.Constant) and tree.value is None:
         return NONE
     if not hints and _is_annotated(tree) and isinstance(tree.slice, ast.Tuple):
-        items = Tuple(tuple(_evaluated(machine, module, part) for part in tree.slice.elts))
+        kind = parsed(ast.unparse(tree.slice.elts[0]))  # a text names a type that comes later
+        items = Tuple(tuple(_evaluated(machine, module, part) for part in (kind, *tree.slice.elts[1:])))
         return machine.call(
             machine.load_attr(machine.load_attr(machine.load_module("typing"), "Annotated"), "__getitem__"), (items,)
         )
@@ -123,12 +127,14 @@ def _is_text(machine: Machine, module: ModuleValue) -> bool:
     return feature is not None and feature == machine.load_attr(machine.load_module("__future__"), "annotations")
 
 
-def of_function(machine: Machine, function: Function, *, hints: bool = False) -> Mapping[str, Value]:
+def of_function(
+    machine: Machine, function: Function, *, hints: bool = False, read: bool = False
+) -> Mapping[str, Value]:
     """The annotations of a function."""
     texts = dict(function.code.annotations)
     if function.code.returns is not None:
         texts["return"] = function.code.returns
-    return {name: _meant(machine, function.module, text, hints=hints) for name, text in texts.items()}
+    return {name: _meant(machine, function.module, text, hints=hints, read=read) for name, text in texts.items()}
 
 
 def of_class(machine: Machine, cls: Class, *, hints: bool = False) -> Mapping[str, Value] | None:
@@ -168,47 +174,84 @@ def _function(value: Value) -> Value:
 
 
 def _parameters(call: NativeCall) -> Value:
-    """inspect._parameters(callable, empty, follow): name, kind, default and annotation of each parameter, and the annotation of the result."""
-    machine, (value, empty, follow) = call.machine, call.exactly(3)
-    bound, followed = 0, machine.truth(follow)
+    """inspect._parameters(callable, empty, follow, evaluate): name, kind, default and annotation of each parameter, and that of the result."""
+    machine, (value, empty, follow, evaluate) = call.machine, call.exactly(4)
+    followed = machine.truth(follow)
+    found = None if followed is None else _signature(machine, value, empty, followed, machine.truth(evaluate) is True)
+    if found is None:
+        return machine.unknown(Cause.CALL, "inspect.signature")
+    return Tuple((_tuple(Tuple((Const(r.name), Const(r.kind), *r[2:])) for r in found[0]), found[1]))
+
+
+class _Row(NamedTuple):
+    """A parameter, as `inspect` tells of it."""
+
+    name: str
+    kind: int
+    default: Value
+    annotation: Value
+
+
+def _signature(
+    machine: Machine, value: Value, empty: Value, follow: bool, read: bool
+) -> tuple[list[_Row], Value] | None:
+    """The parameters of something that is called, and the annotation of the result; None where they are not known."""
+    bound, given_words = 0, dict[str, Value]()
     for _ in range(_MOST_WRAPPED):
-        kept = machine.function_record(value) if isinstance(value, Function) and followed else None
+        kept = machine.function_record(value) if isinstance(value, Function) else None
+        if isinstance(value, Ref):
+            kept = machine.obj(value)
         if isinstance(value, (BoundMethod, Class)):
             bound += 1
             value = value.function if isinstance(value, BoundMethod) else machine.load_attr(value, "__init__")
-        elif kept is not None and "__wrapped__" in kept.attrs:
+        elif isinstance(value, Partial):
+            bound += len(value.arguments)
+            given_words = dict(value.keywords) | given_words
+            value = value.function
+        elif follow and kept is not None and "__wrapped__" in kept.attrs:
             value = kept.attrs["__wrapped__"]
+        elif isinstance(value, Ref) and isinstance(machine.obj(value).cls, Class):
+            value = machine.load_attr(value, "__call__")
         else:
             break
-    if not isinstance(value, Function) or followed is None:
-        return machine.unknown(Cause.CALL, "inspect.signature")
-    given, notes = value.code.parameters, of_function(machine, value)
+    if not isinstance(value, Function):
+        return None
+    given, notes = value.code.parameters, of_function(machine, value, read=read)
     first = len(given.positional) - len(value.defaults)
-    defaults = dict(zip(given.positional[first:], value.defaults, strict=False)) | dict(value.kwdefaults)
+    defaults = dict(zip(given.positional[first:], value.defaults, strict=False)) | dict(value.kwdefaults) | given_words
     kinds = [(n, 0 if number < given.posonly else 1) for number, n in enumerate(given.positional)][bound:]
+    words = next((number for number, (n, _) in enumerate(kinds) if n in given_words), len(kinds))
+    kinds[words:] = [(n, 3) for n, _ in kinds[words:]]  # behind what a partial gives by name, all are given so
     kinds += [(given.vararg, 2)] if given.vararg is not None else []
     kinds += [(n, 3) for n in given.kwonly]
     kinds += [(given.kwarg, 4)] if given.kwarg is not None else []
-    rows = [Tuple((Const(n), Const(kind), defaults.get(n, empty), notes.get(n, empty))) for n, kind in kinds]
-    return Tuple((_tuple(rows), notes.get("return", empty)))
+    return [_Row(n, k, defaults.get(n, empty), notes.get(n, empty)) for n, k in kinds], notes.get("return", empty)
 
 
-def _call_with(call: NativeCall) -> Value:
-    """inspect._call_with(function, args, names, values): function(*args, **dict(zip(names, values))), without a dict that others may share."""
-    machine, (function, *given) = call.machine, call.exactly(4)
-    args, names, values = (part.items if isinstance(part, Tuple) else None for part in given)
-    if args is None or names is None or values is None or len(options(function)) > 1:  # several functions, say
-        machine.escape((function,), call.name)
-        return machine.unknown(Cause.CALL, call.name)
-    words = (str(name.value) for name in names if isinstance(name, Const))
-    return machine.call(function, args, dict(zip(words, values, strict=False)))
+def _filled(call: NativeCall) -> Value:
+    """inspect._filled(function, fill): called with what `fill(function, default, annotation)` gives for each parameter."""
+    machine, (function, fill) = call.machine, call.exactly(2)
+
+    def filled(one: Value) -> Value:
+        found = _signature(machine, one, NONE, follow=True, read=True)
+        if found is None:
+            machine.escape((one,), call.name)
+            return machine.unknown(Cause.CALL, call.name)
+        rows = [row for row in found[0] if row.kind not in (2, 4)]
+        values = [machine.call(fill, (one, row.default, row.annotation)) for row in rows]
+        if UNBOUND in values:
+            return UNBOUND
+        given = [value for row, value in zip(rows, values, strict=True) if row.kind < 2]
+        return machine.call(one, given, {r.name: v for r, v in zip(rows, values, strict=True) if r.kind == 3})
+
+    return lift(filled, function)
 
 
-def _instances(call: NativeCall) -> Value:
-    """inspect._instances(class, value, beside): the value, and what stands beside it, where it surely is of the class."""
+def _instance(call: NativeCall) -> Value:
+    """inspect._instance(class, value, beside): the value, or what stands beside it, that surely is of the class; None where nothing is."""
     machine, (cls, value, beside) = call.machine, call.exactly(3)
     parts = (value, *(beside.items if isinstance(beside, Tuple) else ()))
-    return Tuple(tuple(part for part in parts if machine.is_instance(part, cls)))
+    return next((part for part in parts if machine.is_instance(part, cls)), NONE)
 
 
 def _tuple(items: Iterable[Value]) -> Tuple:
@@ -217,7 +260,7 @@ def _tuple(items: Iterable[Value]) -> Tuple:
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "inspect._parameters": _parameters,
-    "inspect._call_with": _call_with,
-    "inspect._instances": _instances,
+    "inspect._filled": _filled,
+    "inspect._instance": _instance,
     "typing._hints": _hints,
 }

@@ -237,8 +237,18 @@ def lookup(call: NativeCall) -> Value:
             maybe = [m for m in open_ if _may_have(call, m, option)]
             found += [*maybe, _missing(call, cls, option, sure=not maybe)]
         else:
-            found.extend(members.values())
+            found += [*members.values(), *_may_miss(call, cls, option)]
     return join_all(found)
+
+
+def _may_miss(call: NativeCall, cls: Value, value: Value) -> tuple[Value, ...]:
+    """What there is besides the members for a value that is not known: what `_missing_` makes of it, or a ValueError."""
+    hook = _hook(call, cls, "_missing_") if isinstance(cls, Class) else None
+    if hook is not None:
+        return (call.machine.call(hook, (cls, value)),)
+    if isinstance(cls, Class) and not is_flag(cls):
+        call.machine.die("ValueError", f"not a valid {cls.qualname}")
+    return ()
 
 
 def _may_have(call: NativeCall, member: Value, value: Value) -> bool:

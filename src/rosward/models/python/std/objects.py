@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import join, lift, options
-from rosward.domain.compound import BoundMethod, External, Native, Tuple
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple, function_behind
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
@@ -249,6 +249,7 @@ def _kind(call: NativeCall, value: Value) -> str:
 
 _KINDS: Final[dict[type, str]] = {
     Class: "class", Function: "function", BoundMethod: "method", ModuleValue: "module", Native: "builtin",
+    Partial: "partial",
 }  # fmt: skip
 
 
@@ -265,28 +266,21 @@ def _kind_of(call: NativeCall) -> Value:
     return lift(one, call.args[0]) if call.args else NONE
 
 
-def _function_of(value: Value) -> Function | None:
-    """The function of a method."""
-    while isinstance(value, BoundMethod):
-        value = value.function
-    return value if isinstance(value, Function) else None
-
-
 def _yields(call: NativeCall) -> Value:
     """inspect._yields(function): whether it is a generator function."""
-    found = _function_of(call.args[0]) if call.args else None
+    found = function_behind(call.args[0]) if call.args else None
     return _kinds_known(call) if found is None else Const(found.code.is_generator and not found.code.is_coroutine)
 
 
 def _yields_awaited(call: NativeCall) -> Value:
     """inspect._yields_awaited(function): whether it is an asynchronous generator function."""
-    found = _function_of(call.args[0]) if call.args else None
+    found = function_behind(call.args[0]) if call.args else None
     return _kinds_known(call) if found is None else Const(found.code.is_generator and found.code.is_coroutine)
 
 
 def _awaits(call: NativeCall) -> Value:
     """inspect._awaits(function): whether it is a coroutine function."""
-    found = _function_of(call.args[0]) if call.args else None
+    found = function_behind(call.args[0]) if call.args else None
     return _kinds_known(call) if found is None else Const(found.code.is_coroutine and not found.code.is_generator)
 
 

@@ -20,7 +20,7 @@ from typing import Any, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins
-from rosward.domain.values import NONE, UNBOUND, Const, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.pattern_cost import work
 from rosward.models.python.std.support import NotKnown, apply_plain, from_plain, to_plain, unknown_from
@@ -148,6 +148,15 @@ def _plain_parts(machine: Machine, values: Sequence[Value]) -> tuple[list[object
 _IN_TEMPLATE: Final = re.compile(r"\\(?:g<(\w+)>|([1-9]\d?)|(.))", re.DOTALL)
 
 
+def _is_doubtful(call: NativeCall) -> Value:
+    """re._is_doubtful(pattern): whether it may be refused: it is not known, or no pattern."""
+    pattern = call.args[0]
+    if not isinstance(pattern, Const) or not isinstance(pattern.value, (str, bytes)):
+        return Const(not isinstance(pattern, Ref))  # an object was compiled already
+    text = pattern.value if isinstance(pattern.value, str) else pattern.value.decode("latin-1")
+    return Const(work(text, 0, "") is None)
+
+
 def _expanded(call: NativeCall) -> Value:
     """re._expanded(template, groups): a template with the groups of a match in it."""
 
@@ -244,6 +253,7 @@ def _matches(name: Any, pattern: Any) -> object:
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "re._find": _find,
+    "re._is_doubtful": _is_doubtful,
     "re._find_all": _find_all,
     "re._split": _split,
     "re._sub": _sub,

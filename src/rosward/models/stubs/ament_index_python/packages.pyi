@@ -4,8 +4,9 @@
 Read from ament_index_python 1.11.0 (kilted).
 """
 
-from _rosward import reads_only
+from _rosward import pure, reads_only
 
+import os
 from pathlib import Path
 
 from _rosward.launch import prefix_folder, share_folder
@@ -18,11 +19,23 @@ class PackageNotFoundError(KeyError): ...
 def get_packages_with_prefixes() -> dict: ...
 
 
+@pure
+@reads_only
+def _refuse(package_name) -> None: ...
+
+
+def _look_up(package_name):
+    if not os.path.isfile(f"{share_folder(package_name)}/package.xml"):  # of no package of the sources
+        _refuse(package_name)
+
+
 def get_package_prefix(package_name):
+    _look_up(package_name)
     return prefix_folder(package_name)
 
 
 def get_package_share_directory(package_name, print_warning=True):
+    _look_up(package_name)
     return share_folder(package_name)
 
 

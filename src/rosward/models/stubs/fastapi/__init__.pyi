@@ -3,7 +3,9 @@
 
 Read from fastapi 0.115. What only says how a request is read, shown or answered is not here: it is unknown.
 """
-from _rosward import awaited, either, schedule, unknown
+from _rosward import awaited, either, schedule, spin, unknown
+import contextlib
+import functools
 import inspect
 import types
 
@@ -24,6 +26,15 @@ class _Connection:
 class Request(_Connection): ...
 class WebSocket(_Connection): ...
 
+class BackgroundTasks:
+    """What runs once the answer has been sent."""
+    def __init__(self, tasks=None):
+        self.tasks = []
+    def add_task(self, func, *args, **kwargs):
+        schedule(_runs, func, args, kwargs, event='request')
+def _runs(function, args, kwargs):
+    awaited(function(*args, **kwargs))
+
 class HTTPException(Exception):
     def __init__(self, status_code=None, detail=None, headers=None):
         super().__init__(status_code, detail)
@@ -43,87 +54,87 @@ class WebSocketDisconnect(Exception):
 
 def _wanted(default, annotation):
     """What is called for a parameter: what its default says, or what stands beside its type; None where nothing does."""
-    for one in inspect._instances(Depends, default, getattr(annotation, '__metadata__', ())):
-        return one.dependency
-    return None
-def _value(default, annotation):
+    one = inspect._instance(Depends, default, getattr(annotation, '__metadata__', ()))
+    if one is not None and one.dependency is None:  # the type itself
+        return annotation if one is default else annotation.__origin__
+    return None if one is None else one.dependency
+def _value(function, default, annotation):
     wanted = _wanted(default, annotation)
     if wanted is not None:
         return _depended(wanted)
-    if annotation is Request or annotation is WebSocket:
+    if annotation is Request or annotation is WebSocket or annotation is BackgroundTasks:
         return annotation()
     return unknown('input', 'request')
 def _called(function):
     """A request comes, or what an endpoint depends on is wanted for one."""
-    rows, _ = inspect._parameters(function, None, True)
-    given, names, values = (), (), ()
-    for name, kind, default, annotation in rows:
-        if kind < 2:
-            given = given + (_value(default, annotation),)
-        elif kind == 3:
-            names = names + (name,)
-            values = values + (_value(default, annotation),)
-    return inspect._call_with(function, given, names, values)
+    return inspect._filled(function, _value)
 def _asked(function):
     awaited(_called(function))
 def _depended(dependency):
-    if inspect.isgeneratorfunction(dependency):
-        return next(_called(dependency))
-    if inspect.isasyncgenfunction(dependency):
-        return awaited(_first(_called(dependency)))
+    if _yields(dependency):
+        made = _called(dependency)
+        schedule(_left, made, event='request')
+        return contextlib._begin(made)
     return awaited(_called(dependency))
-async def _first(generator):
-    async for one in generator:
-        return one
+def _yields(dependency):
+    if not (inspect.isclass(dependency) or inspect.isroutine(dependency) or isinstance(dependency, functools.partial)):
+        dependency = dependency.__call__
+    return inspect.isgeneratorfunction(dependency) or inspect.isasyncgenfunction(dependency)
+def _left(generator):
+    """The answer has been sent."""
+    contextlib._end(generator, None)
 async def _lives(lifespan, app):
     async with lifespan(app):
-        pass
+        spin()  # requests come
 
-def _registers(*args, **kwargs):
+def _before(options):
+    """What runs before an endpoint, for what it does alone."""
+    for one in options.get('dependencies') or ():
+        schedule(_depended, one.dependency, event='request')
+def _registers(**options):
+    _before(options)
     def register(function):
         schedule(_asked, function, event='request')
         return function
     return register
 
 class APIRouter:
-    def __init__(self, *args, dependencies=None, lifespan=None, on_startup=None, on_shutdown=None, **kwargs):
-        for one in dependencies or ():
-            schedule(_depended, one.dependency, event='request')
+    def __init__(self, *args, lifespan=None, on_startup=None, on_shutdown=None, **options):
+        _before(options)
         for function in (*(on_startup or ()), *(on_shutdown or ())):
             schedule(function, event='lifespan')
         if lifespan is not None:
             schedule(_lives, lifespan, self, event='lifespan')
-    def get(self, path, **kwargs):
-        return _registers()
-    def put(self, path, **kwargs):
-        return _registers()
-    def post(self, path, **kwargs):
-        return _registers()
-    def delete(self, path, **kwargs):
-        return _registers()
-    def options(self, path, **kwargs):
-        return _registers()
-    def head(self, path, **kwargs):
-        return _registers()
-    def patch(self, path, **kwargs):
-        return _registers()
-    def trace(self, path, **kwargs):
-        return _registers()
-    def api_route(self, path, **kwargs):
-        return _registers()
+    def get(self, path, **options):
+        return _registers(**options)
+    def put(self, path, **options):
+        return _registers(**options)
+    def post(self, path, **options):
+        return _registers(**options)
+    def delete(self, path, **options):
+        return _registers(**options)
+    def options(self, path, **options):
+        return _registers(**options)
+    def head(self, path, **options):
+        return _registers(**options)
+    def patch(self, path, **options):
+        return _registers(**options)
+    def trace(self, path, **options):
+        return _registers(**options)
+    def api_route(self, path, **options):
+        return _registers(**options)
     def route(self, path, methods=None, name=None, include_in_schema=True):
         return _registers()
-    def websocket(self, path, name=None, *, dependencies=None):
-        return _registers()
+    def websocket(self, path, name=None, **options):
+        return _registers(**options)
     def websocket_route(self, path, name=None):
         return _registers()
-    def add_api_route(self, path, endpoint, **kwargs):
-        schedule(_asked, endpoint, event='request')
-    def add_api_websocket_route(self, path, endpoint, name=None, *, dependencies=None):
-        schedule(_asked, endpoint, event='request')
-    def include_router(self, router, **kwargs):
-        for one in kwargs.get('dependencies') or ():
-            schedule(_depended, one.dependency, event='request')
+    def add_api_route(self, path, endpoint, **options):
+        _registers(**options)(endpoint)
+    def add_api_websocket_route(self, path, endpoint, name=None, **options):
+        _registers(**options)(endpoint)
+    def include_router(self, router, **options):
+        _before(options)
     def on_event(self, event_type):
         def register(function):
             schedule(function, event='lifespan')

@@ -4,7 +4,7 @@
 Read from ros2/message_filters, branches humble to rolling (2024-10); src/message_filters/__init__.py differs only in comments.
 """
 
-from _rosward import creator, message, reads_only, schedule, unknown
+from _rosward import either, creator, message, reads_only, schedule, unknown
 
 
 @reads_only
@@ -56,7 +56,7 @@ class Cache(SimpleFilter):
     def add(self, msg) -> None: ...
 
     def getInterval(self, from_stamp, to_stamp):
-        return [self.getLast() for _ in unknown("message", "messages in the cache")]
+        return [self._newest() for _ in unknown("message", "messages in the cache")]
 
     def getElemAfterTime(self, stamp):
         return self.getLast()
@@ -71,6 +71,9 @@ class Cache(SimpleFilter):
     def getOldestTime(self): ...
 
     def getLast(self):
+        return either(None, self._newest())
+
+    def _newest(self):
         for newest in self._rosward_output():
             return newest
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`multiprocessing`: a process is a thread that shares nothing."""
-from _rosward import raises_nothing, reads_only, schedule, spin, unknown
+from _rosward import either, raises_nothing, reads_only, schedule, spin, unknown
 from queue import Queue as _Queue
 from threading import Thread, Timer, Condition, Event, Semaphore, BoundedSemaphore, Barrier, Lock, RLock
+
+_started = []
 
 class ProcessError(Exception): ...
 class TimeoutError(ProcessError): ...
@@ -14,6 +16,7 @@ class Process(Thread):
         self.pid = unknown('random', 'multiprocessing.Process.pid', 'int')
         self.exitcode = unknown('live', 'multiprocessing.Process.exitcode', 'int')
     def start(self):
+        _started.append(self)
         schedule(self.run, event='process')
     def terminate(self) -> None: ...
     def kill(self) -> None: ...
@@ -31,6 +34,7 @@ class _Result:
 
 class Pool:
     def __init__(self, processes=None, initializer=None, initargs=(), maxtasksperchild=None, context=None):
+        _started.append(Process())
         if initializer is not None:
             initializer(*initargs)
     def apply(self, func, args=(), kwds={}):
@@ -159,8 +163,13 @@ def get_start_method(allow_none=False) -> str: ...
 @reads_only
 def freeze_support() -> None: ...
 def current_process():
-    return Process(name='MainProcess')
+    main = Process(name='MainProcess')
+    return either(main, *_started) if _started else main
 def parent_process():
-    return None
+    return either(None, Process(name='MainProcess')) if _started else None
 def active_children():
-    return []
+    found = []
+    for one in _started:
+        if one.is_alive():
+            found.append(one)
+    return found

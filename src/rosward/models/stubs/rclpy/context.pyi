@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import calls, init, raises_nothing, reads_only, waits
+from _rosward import calls, init, raises_nothing, reads_only, tried, unknown, waits
 
 
 class Context:
@@ -14,6 +14,7 @@ class Context:
     )
     def __init__(self):
         self._nodes = []
+        self._begun = False
 
     @property
     @reads_only
@@ -23,6 +24,9 @@ class Context:
     def destroy(self) -> None: ...
 
     def init(self, args=None, *, initialize_logging=True, domain_id=None):
+        if self._begun and tried() and unknown("live", "context of another process", "bool"):
+            raise RuntimeError("Context.init() must only be called once")
+        self._begun = True
         init(self, args)
 
     # A node is tracked where the program says what happens when it is destroyed: on any other that changes nothing.
@@ -42,10 +46,12 @@ class Context:
     def ok(self) -> bool: ...
     def shutdown(self):
         self._cleanup()
+        self._begun = False
 
     def try_shutdown(self):
         if self.ok():  # a signal has shut it down before
             self._cleanup()
+        self._begun = False
 
     @calls("callback", event="shutdown", args=())
     def on_shutdown(self, callback) -> None: ...

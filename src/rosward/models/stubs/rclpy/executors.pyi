@@ -60,6 +60,8 @@ class Executor:
 
     def add_node(self, node):
         spun(node)
+        if any(each is node for each in self._nodes):
+            return False
         self._nodes.append(node)
         return True
 

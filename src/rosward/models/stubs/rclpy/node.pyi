@@ -33,6 +33,7 @@ from _rosward import (
     precise,
     raises_nothing,
     reads_only,
+    refused,
     resolve_name,
     schedule,
     set_parameter,
@@ -157,6 +158,8 @@ class Node:
             lifecycle=self._rosward_lifecycle,
             lifecycle_services=self._rosward_lifecycle_services,
         )
+        if refused(node_name, "node", True):
+            raise InvalidNodeNameException(node_name, "refused", 0)
         if asked:
             self._parameter_event_publisher = self.create_publisher(
                 ParameterEvent, "/parameter_events", qos_profile_parameter_events

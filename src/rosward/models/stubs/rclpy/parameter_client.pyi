@@ -107,7 +107,7 @@ class AsyncParameterClient:
 
 
 def _ask(client, callback):
-    future = client.call_async(None)
+    future = client.call_async(client.srv_type.Request())
     if callback is not None:
         future.add_done_callback(callback)
     return future

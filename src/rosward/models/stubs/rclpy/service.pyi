@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import create, reads_only, resolve_name, sends, stops
+from _rosward import create, message, reads_only, resolve_name, schedule, sends, stops
 
 from rclpy.service_introspection import ServiceIntrospectionState
 
@@ -16,9 +16,18 @@ class Service:
         self._node = service_impl  # the node stands for the handle, which no program sees
         self.srv_type = srv_type
         self.srv_name = srv_name
-        self.callback = callback
+        self._callback = callback
         self.callback_group = callback_group
         self.qos_profile = qos_profile
+
+    @property
+    def callback(self):
+        return self._callback
+
+    @callback.setter
+    def callback(self, value):
+        self._callback = value
+        schedule(value, message(self.srv_type.Request, "request"), self.srv_type.Response(), event="request")
 
     @sends("response", "response", "_node", "srv_name", "srv_type.Response")
     def send_response(self, response, header) -> None: ...

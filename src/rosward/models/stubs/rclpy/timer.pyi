@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import calls, raises_nothing, reads_only, stops, waits
+from _rosward import calls, raises_nothing, reads_only, schedule, stops, waits
 
 from rclpy.clock_type import ClockType
 from rclpy.time import Time
@@ -26,8 +26,17 @@ class TimerInfo:
 class Timer:
     @calls("callback", event="timer", args=())
     def __init__(self, callback, callback_group, timer_period_ns, clock, *, context=None, autostart=True):
-        self.callback = callback
+        self._callback = callback
         self.callback_group = callback_group
+
+    @property
+    def callback(self):
+        return self._callback
+
+    @callback.setter
+    def callback(self, value):
+        self._callback = value
+        schedule(value, event="timer")
 
     @property
     def handle(self): ...

@@ -7,6 +7,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 from _rosward import reads_only
 
 from enum import IntEnum
+from functools import wraps
 
 
 class TransitionCallbackReturn(IntEnum):
@@ -46,6 +47,12 @@ class SimpleManagedEntity(ManagedEntity):
 
     @staticmethod
     def when_enabled(wrapped=None, *, when_not_enabled=None):
-        if wrapped is None:
-            return lambda function: function
-        return wrapped
+        def decorator(wrapped):
+            @wraps(wrapped)
+            def only_when_enabled_wrapper(self, *args, **kwargs):
+                if self.is_activated:
+                    wrapped(self, *args, **kwargs)
+                elif when_not_enabled is not None:
+                    when_not_enabled()
+            return only_when_enabled_wrapper
+        return decorator if wrapped is None else decorator(wrapped)
