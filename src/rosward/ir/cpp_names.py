@@ -149,14 +149,18 @@ class Deref(Op):
 
 @final
 class Declared(Op):
-    """dst = the type that a field of `this`, or a variable of a class or namespace, is declared with; none where it has none that is written."""
+    """dst = the type that a field of `this`, or a variable of a class or namespace, is declared with; none where it has none that is written.
 
-    __slots__ = ("dst", "name")
+    With `obj`: that of a field of what is there, or of what it leads to.
+    """
 
-    def __init__(self, line: int, column: int, dst: int, name: str) -> None:
+    __slots__ = ("dst", "name", "obj")
+
+    def __init__(self, line: int, column: int, dst: int, name: str, obj: int = NO_REGISTER) -> None:
         super().__init__(line, column)
         self.dst = dst
         self.name = name
+        self.obj = obj
 
 
 @final

@@ -32,7 +32,7 @@ from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.lower.vexing import arguments_in, meant, referent
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.core import NO_REGISTER, Binary
-from rosward.ir.cpp import Convert, Destructure, StaticLocal
+from rosward.ir.cpp import Convert, Copy, Destructure, StaticLocal
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -164,8 +164,12 @@ def initial(
 ) -> int:
     """The first value of a variable by value."""
     auto = type_node is None or type_node.type in _AUTO
-    if auto and isinstance(what, Given):
-        return body.unknown(node, "syntax")
+    if auto and isinstance(what, Given):  # `auto b(a);`
+        if len(what.arguments) != 1:
+            return body.unknown(node, "syntax")
+        dst = body.register()
+        body.emit(Copy(*body.place(node), dst, what.arguments[0].register, NO_REGISTER))
+        return dst
     if auto and what is not None and not isinstance(what, Given):
         return _deduced(body, what, equals)
     if (
