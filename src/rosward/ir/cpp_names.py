@@ -230,14 +230,15 @@ class MakeType(Op):
 
 @final
 class TypeOfValue(Op):
-    """dst = the type of the value at a slot: `decltype(x)`, `typeid(x)`."""
+    """dst = the type of the value at a slot: `decltype(x)`, `typeid(x)`; with `member`, that of this member of the type in `src`."""
 
-    __slots__ = ("dst", "src")
+    __slots__ = ("dst", "member", "src")
 
-    def __init__(self, line: int, column: int, dst: int, src: int) -> None:
+    def __init__(self, line: int, column: int, dst: int, src: int, member: str = "") -> None:
         super().__init__(line, column)
         self.dst = dst
         self.src = src
+        self.member = member
 
 
 @final

@@ -155,7 +155,7 @@ PRINT: Final[Mapping[type, Callable[[Any, Any], str | None]]] = {
     cpp.InvokeMember: _invoke_member,
     cpp.MakeLambda: _make_lambda,
     cpp.MakeType: _make_type,
-    cpp.TypeOfValue: lambda p, op: f"{p.r(op.dst)} = type of {p.r(op.src)}",
+    cpp.TypeOfValue: lambda p, op: f"{p.r(op.dst)} = type of {p.r(op.src)}" + (op.member and f".{op.member}"),
     cpp.Braces: _braces,
     cpp.Spread: _spread,
     cpp.Default: _default,

@@ -20,6 +20,7 @@ from rosward.engine.cpp import (
     assigning,
     calls,
     construct,
+    detection,
     endings,
     initialising,
     methods,
@@ -237,7 +238,8 @@ def _make_type(_machine: Engine, op: cpp.MakeType, frame: Frame) -> None:
 
 def _type_of_value(machine: Engine, op: cpp.TypeOfValue, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
-    frame.registers[op.dst] = type_of(machine, frame.registers[op.src])
+    src = frame.registers[op.src]
+    frame.registers[op.dst] = detection.member_type(machine, src, op.member) if op.member else type_of(machine, src)
 
 
 def _braces(_machine: Engine, op: cpp.Braces, frame: Frame) -> None:

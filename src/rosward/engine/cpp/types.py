@@ -186,6 +186,8 @@ def match(
     if not pattern.arguments:
         return True
     types = _arguments(machine, type_)
+    if pattern.builtin == "function" and not isinstance(type_, Unknown) and name_of(type_) != "function":
+        return False
     if types is None or (pattern.names and pattern.names[-1] != dotted(type_).rpartition(".")[2]):
         return isinstance(type_, Unknown) and not sure
     for index, each in enumerate(pattern.arguments):

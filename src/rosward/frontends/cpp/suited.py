@@ -13,6 +13,7 @@ p->template set("a", 1);                 p->         set("a", 1);
 a ? b : throw E();                       a ? b : ~~~~~ E();
 template<class T, int * = nullptr>       template<class T, int *_= nullptr>
 decltype(f(x), void())                   decltype(      void())
+decltype(declval<T>().f(), void())       decltype(declval<T>().f()% void())
 x.~Tree<Node>();                         x.~Tree      ();
 delete [] (v);                           delete []  v ;
 v(i) = 0;                                v(i) =+0;
@@ -57,6 +58,8 @@ _THROW: Final = re.compile(r"(\?[^?;{}]{0,300}:|\?)(\s*)throw\b")
 
 _UNNAMED: Final = re.compile(r"\*[ \t](?=\s*=\s*(?:nullptr|NULL|0)\s*[,>])")
 _OPERANDS: Final = re.compile(r"\b(?:decltype|sizeof)\s*\(")
+_MADE_UP: Final = re.compile(r"\s*(?:\(\s*void\s*\)\s*)?(?:std\s*::\s*)?declval<[^,;{}]{0,300}")
+"""An operand before a comma that only asks whether it may stand there: the comma is read as an operator."""
 _DESTRUCTOR: Final = re.compile(r"((?:\.|->)\s*~\s*\w+)(<[^;(){}]{0,200}>)(?=\s*\(\s*\))")
 _DELETE: Final = re.compile(r"(\bdelete\s*\[\s*\]\s*)\(([^();]*)\)(?=\s*;)")
 _ZERO: Final = re.compile(
@@ -166,7 +169,10 @@ def _last_operands(text: str) -> str:
     position = 0
     for found in _OPERANDS.finditer(text):
         comma = _last_comma(text, found.end())
-        if comma and found.start() >= position:
+        if comma and found.start() >= position and _MADE_UP.fullmatch(text, found.end(), comma):
+            pieces += (text[position : comma - 1], "%")
+            position = comma
+        elif comma and found.start() >= position:
             pieces += (text[position : found.end()], blank(text[found.end() : comma]))
             position = comma
     return "".join([*pieces, text[position:]])
