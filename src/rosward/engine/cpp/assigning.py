@@ -29,7 +29,7 @@ from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.operators import binary, own_operator
 from rosward.engine.cpp.overloading import fitting
 from rosward.engine.cpp.thunks import evaluate
-from rosward.engine.cpp.types import pointee
+from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import function_of
 from rosward.engine.frame import Frame
 from rosward.ir import cpp
@@ -42,6 +42,7 @@ from rosward.models.cpp.copies import ASSIGN, copied, write
 from rosward.models.cpp.ranges import emit, is_inserter
 from rosward.models.cpp.slots import plain_number, read
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
+from rosward.models.ros.message_fields import definition_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -83,6 +84,8 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
         part = _part(machine, slot, src)
         return part if part is not None else _object(machine, slot, src)
     value = decayed(machine, src)
+    if value.__class__ is Tuple:
+        value = _of_message(machine, slot, value)
     if value.__class__ is not Unknown:
         value = copied(machine, value)
     if any(o.__class__ is Pointer or is_char_text(o) for o in options(value)) and not _holds_pointer(machine, slot):
@@ -93,6 +96,19 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     return UNBOUND if is_left and not endings.end(machine, before) else slot
 
 
+def _of_message(machine: Engine, slot: Value, braces: Tuple) -> Value:
+    """What braces make of a field of a message that holds no object yet: `msg.name = {"shoulder", "elbow"};`."""
+    if not isinstance(slot, Slot) or slot.kind != "field" or not isinstance(slot.base, Ref):
+        return braces
+    cls = machine.obj(slot.base).cls
+    definition = definition_of(machine, cls)
+    field = definition.fields.get(str(slot.key)) if definition is not None else None
+    if not is_message(cls) or (field is not None and not field.array):
+        return braces
+    return construct.make(machine, _VECTOR, (braces,), "brace-copy")
+
+
+_VECTOR: Final = TypeOf("std.vector", ())
 _BYTES: Final = frozenset({"char", "unsigned char", "std.byte", "uint8_t", "std.uint8_t"})
 
 

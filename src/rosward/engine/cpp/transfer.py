@@ -200,7 +200,7 @@ def _invoke_member(machine: Engine, op: cpp.InvokeMember, frame: Frame) -> bool 
         args,
         types,
         scope=scope,
-        own=op.obj == 0,
+        own=op.obj == 0 and bool(naming.this_of(frame)),
         constant=op.constant,
         declared=declared if op.static != ops.NO_REGISTER else None,
     )

@@ -85,6 +85,13 @@ def _cast(node: Node | None) -> Node | None:
     return types.named_children[0] if types is not None and len(types.named_children) == 1 else None
 
 
+def written_cast(node: Node) -> tuple[Node, Node | None] | None:
+    """The type that a cast writes, and what its declarator adds: for `auto & part = static_cast<Part &>(lamp);`."""
+    found = _cast(_plain(node)) if node.type != "pointer_expression" else None
+    type_ = found.child_by_field_name("type") if found is not None else None
+    return None if found is None or type_ is None else (type_, found.child_by_field_name("declarator"))
+
+
 _CASTS: Final = frozenset({"static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"})
 
 
