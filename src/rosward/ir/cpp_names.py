@@ -149,14 +149,18 @@ class Deref(Op):
 
 @final
 class Declared(Op):
-    """dst = the type that a field of `this`, or a variable of a class or namespace, is declared with; none where it has none that is written."""
+    """dst = the type that a field of `this`, or a variable of a class or namespace, is declared with; none where it has none that is written.
 
-    __slots__ = ("dst", "name")
+    With `obj`: that of a field of what is there, or of what it leads to.
+    """
 
-    def __init__(self, line: int, column: int, dst: int, name: str) -> None:
+    __slots__ = ("dst", "name", "obj")
+
+    def __init__(self, line: int, column: int, dst: int, name: str, obj: int = NO_REGISTER) -> None:
         super().__init__(line, column)
         self.dst = dst
         self.name = name
+        self.obj = obj
 
 
 @final
@@ -226,14 +230,15 @@ class MakeType(Op):
 
 @final
 class TypeOfValue(Op):
-    """dst = the type of the value at a slot: `decltype(x)`, `typeid(x)`."""
+    """dst = the type of the value at a slot: `decltype(x)`, `typeid(x)`; with `member`, that of this member of the type in `src`."""
 
-    __slots__ = ("dst", "src")
+    __slots__ = ("dst", "member", "src")
 
-    def __init__(self, line: int, column: int, dst: int, src: int) -> None:
+    def __init__(self, line: int, column: int, dst: int, src: int, member: str = "") -> None:
         super().__init__(line, column)
         self.dst = dst
         self.src = src
+        self.member = member
 
 
 @final

@@ -10,6 +10,7 @@ from rosward.ir import cpp
 
 READS: Final[Mapping[type, tuple[str, ...]]] = {
     cpp.Name: ("base",),
+    cpp.Declared: ("obj",),
     cpp.Member: ("obj",),
     cpp.Item: ("obj", "index"),
     cpp.Deref: ("src",),

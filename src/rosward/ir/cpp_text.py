@@ -68,6 +68,10 @@ def _name(p: Printer, op: cpp.Name) -> str:
     return f"{p.r(op.dst)} = name {'::' * op.absolute}{'::'.join(parts)}{_slot(op)}"
 
 
+def _declared(p: Printer, op: cpp.Declared) -> str:
+    return f"{p.r(op.dst)} = type of field {op.name}" + (f" of {p.r(op.obj)}" if op.obj != NO_REGISTER else "")
+
+
 def _assign(p: Printer, op: cpp.Assign) -> str:
     head = "" if op.dst == NO_REGISTER else f"{p.r(op.dst)} = "
     return f"{head}assign {p.r(op.slot)} {op.operator} {p.r(op.src)}"
@@ -140,7 +144,7 @@ PRINT: Final[Mapping[type, Callable[[Any, Any], str | None]]] = {
     cpp.Convert: lambda p, op: f"{p.r(op.dst)} = convert {p.r(op.src)} to {p.r(op.type)} {op.kind}",
     cpp.Construct: lambda p, op: f"{p.r(op.dst)} = construct {p.r(op.type)}({_given(p, op.arguments)}) {op.form}",
     cpp.Initialise: _initialise,
-    cpp.Declared: lambda p, op: f"{p.r(op.dst)} = type of field {op.name}",
+    cpp.Declared: _declared,
     cpp.Narrow: lambda p, op: f"narrow {p.r(op.slot)} from {p.r(op.before)} to {p.r(op.src)}",
     cpp.Elements: lambda p, op: f"{p.r(op.dst)} = elements {p.r(op.src)}{_slot(op)}",
     cpp.Destructure: lambda p, op: f"{p.many(op.dsts)} = parts {p.r(op.src)}{_slot(op)}",
@@ -151,7 +155,7 @@ PRINT: Final[Mapping[type, Callable[[Any, Any], str | None]]] = {
     cpp.InvokeMember: _invoke_member,
     cpp.MakeLambda: _make_lambda,
     cpp.MakeType: _make_type,
-    cpp.TypeOfValue: lambda p, op: f"{p.r(op.dst)} = type of {p.r(op.src)}",
+    cpp.TypeOfValue: lambda p, op: f"{p.r(op.dst)} = type of {p.r(op.src)}" + (op.member and f".{op.member}"),
     cpp.Braces: _braces,
     cpp.Spread: _spread,
     cpp.Default: _default,

@@ -33,16 +33,37 @@ Form = Literal["default", "paren", "brace", "copy", "brace-copy"]
 
 @final
 class Assign(Op):
-    """slot operator src, for `=`, `+=`, …; dst = the slot (NO_REGISTER: not asked for). An object stays where it is and changes."""
+    """slot operator src, for `=`, `+=`, …; dst = the slot (NO_REGISTER: not asked for). An object stays where it is and changes.
 
-    __slots__ = ("dst", "operator", "slot", "src")
+    `seen` leaves in register `static` the type that the reference, or the pointer, to the object is declared with.
+    """
 
-    def __init__(self, line: int, column: int, dst: int, operator: str, slot: int, src: int) -> None:
+    __slots__ = ("dst", "operator", "seen", "slot", "src", "static")
+
+    def __init__(
+        self,
+        line: int,
+        column: int,
+        dst: int,
+        operator: str,
+        slot: int,
+        src: int,
+        *,
+        seen: Block | None = None,
+        static: int = NO_REGISTER,
+    ) -> None:
         super().__init__(line, column)
         self.dst = dst
         self.operator = operator
         self.slot = slot
         self.src = src
+        self.seen: Block = seen if seen is not None else []
+        self.static = static
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks that it holds, in the order in which they stand."""
+        return (self.seen,) if self.seen else ()
 
 
 @final

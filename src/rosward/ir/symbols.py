@@ -131,6 +131,10 @@ class Symbol(Protocol):
         """What a specialisation is for: `template <> struct Topic<Imu>`."""
 
     @property
+    def tested(self) -> tuple[Code | None, ...]:
+        """For each of these a thunk, whose parameters are those of the template, where it may say more than its pattern; else None."""
+
+    @property
     def instance(self) -> tuple[TypePattern, ...]:
         """Of a member of a single instance of a template, what that is made of: `template <> int Box<Imu>::size()`."""
 

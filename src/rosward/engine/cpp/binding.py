@@ -8,7 +8,7 @@ A callback may take its message by value, by reference or by any pointer: what a
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lift, options
@@ -18,6 +18,7 @@ from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
+from rosward.engine.cpp.categories import cast_to
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.handing import is_member, objects_of
 from rosward.engine.cpp.linked import linked
@@ -80,6 +81,7 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
     bindings: dict[str, Value] = {}
     if not wanted:
         return bindings
+    cast = cast_to(machine, given)
     for index, parameter in enumerate(signature.parameters):
         pattern = parameter.type
         if parameter.pack:
@@ -92,9 +94,21 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
                     bindings[key] = Tuple(tuple(found.get(key, NONE) for found in several))
         elif index < len(given) and pattern.size and pattern.size in wanted:
             bindings |= _of_array(machine, pattern, given[index], wanted)
-        elif index < len(given) and (pattern.names or pattern.pointers):
-            match(machine, pattern, type_of(machine, given[index]), wanted, bindings)
+        elif index < len(given) and (pattern.names or pattern.pointers or pattern.arguments):
+            seen = cast[index] if cast and not pattern.pointers else None
+            match(machine, pattern, type_of(machine, given[index]) if seen is None else seen, wanted, bindings)
+            for name in _packs(pattern):  # it is none of nothing: `std::integer_sequence<T, Ns...>` of something else
+                if name in wanted and name not in bindings:
+                    bindings[name] = machine.unknown(Cause.CALL, f"parameter pack {name}")
     return bindings
+
+
+def _packs(pattern: TypePattern) -> Iterator[str]:
+    """The packs that are arguments of a type."""
+    for each in pattern.arguments:
+        if each.pack and len(each.names) == 1:
+            yield each.names[0]
+        yield from _packs(each)
 
 
 def _of_array(machine: Engine, pattern: TypePattern, value: Value, wanted: frozenset[str]) -> dict[str, Value]:

@@ -23,12 +23,12 @@ from rosward.engine.arguments import ANY
 from rosward.engine.cpp import construct, members, names, unaware, visitors
 from rosward.engine.cpp.binding import bind
 from rosward.engine.cpp.categories import class_cast_to
-from rosward.engine.cpp.classes import specialised
 from rosward.engine.cpp.handing import decayed, hand_over, is_member
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.opaque import opaque
 from rosward.engine.cpp.overloading import choose, fitting
+from rosward.engine.cpp.specialising import specialised
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, type_of
 from rosward.engine.cpp.values import function_of, overloads

@@ -18,8 +18,9 @@ from rosward.domain.values import NONE, Class, Const, ModuleValue, Unknown, Valu
 from rosward.engine.cpp import names
 from rosward.engine.cpp.linked import INSTANCES, Info, linked
 from rosward.engine.cpp.patterns import type_of_pattern
+from rosward.engine.cpp.specialising import meant_for
 from rosward.engine.cpp.thunks import evaluate
-from rosward.engine.cpp.types import flat, match
+from rosward.engine.cpp.types import flat
 from rosward.ir.program import MODEL_PREFIX
 from rosward.ir.symbols import Symbol, SymbolKind, TemplateParameter
 from rosward.models.cpp.copies import ASSIGN, COPY, REFERENCES, UNION
@@ -27,7 +28,7 @@ from rosward.models.cpp.copies import ASSIGN, COPY, REFERENCES, UNION
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["bind_template", "class_of", "copies", "instance_of", "is_copied", "specialised"]
+__all__ = ["bind_template", "class_of", "copies", "instance_of", "is_copied"]
 
 _DEPTH: Final = 60
 _ALIASES: Final = 8
@@ -47,7 +48,10 @@ def class_of(machine: Engine, found: names.Found, types: tuple[Value, ...] | Non
     bindings = bind_template(machine, first.template, types or (), found.env)
     given = tuple(bindings[p.name] for p in first.template)
     for symbol in sorted((s for s in symbols if s.specialises is not None and s.defined), key=_how_special):
-        special = specialised(machine, symbol, found.env, given)
+        written = _without_defaults(machine, first, symbol, found.env, given)
+        special = None if written is None else meant_for(machine, symbol, found.env, written)
+        if isinstance(special, Unknown):
+            return special
         if special is not None and _is_qualified(symbol):
             return machine.unknown(Cause.CALL, f"{symbol.name} of what may be constant, or a reference")
         if special is not None:
@@ -59,6 +63,18 @@ def class_of(machine: Engine, found: names.Found, types: tuple[Value, ...] | Non
     return made
 
 
+def _without_defaults(
+    machine: Engine, general: Symbol, symbol: Symbol, env: ModuleValue, given: tuple[Value, ...]
+) -> tuple[Value, ...] | None:
+    """The arguments that a specialisation writes; the others have to be the defaults of the template: `template <> struct Topic<Imu>`."""
+    parameters, count = general.template or (), len(symbol.specialises or ())
+    if count >= len(given) or any(p.pack for p in parameters):
+        return given
+    written = given[:count]
+    whole = bind_template(machine, parameters, written, env)
+    return written if tuple(whole[p.name] for p in parameters) == given else None
+
+
 def _is_qualified(symbol: Symbol) -> bool:
     """Whether a specialisation is for references or constants: `Box<T &>`. That is not told of types."""
     return any((p.reference or p.const) and not p.pointers for p in symbol.specialises or ())
@@ -66,39 +82,6 @@ def _is_qualified(symbol: Symbol) -> bool:
 
 def _how_special(symbol: Symbol) -> int:
     return len(symbol.template or ())
-
-
-def specialised(machine: Engine, symbol: Symbol, env: ModuleValue, given: tuple[Value, ...]) -> dict[str, Value] | None:
-    """What the parameters of a partial specialisation are for these arguments; None where it is not for them."""
-    patterns = symbol.specialises or ()
-    env = ModuleValue(env.address, env.name, symbol.place.file)  # it is written with the names of its file
-    given = flat(given)
-    wanted = frozenset(p.name for p in symbol.template or ())
-    bindings: dict[str, Value] = {}
-    for index, pattern in enumerate(patterns):
-        if pattern.pack and len(pattern.names) == 1 and pattern.names[0] in wanted:
-            bindings[pattern.names[0]] = Tuple(given[index:])
-            return bindings
-        if index >= len(given):
-            return None
-        exact = not _mentions(pattern, wanted)
-        if exact:
-            if type_of_pattern(machine, env, pattern) != given[index]:
-                return None
-        elif not match(machine, pattern, given[index], wanted, bindings, sure=True):
-            return None
-    if len(patterns) < len(given):
-        return None
-    for parameter in symbol.template or ():  # of a pattern that says more than can be matched: `R(A...)`
-        if parameter.name not in bindings:
-            bindings[parameter.name] = machine.unknown(Cause.CALL, f"template argument {parameter.name}")
-    return bindings
-
-
-def _mentions(pattern: object, wanted: frozenset[str]) -> bool:
-    names: tuple[str, ...] = getattr(pattern, "names", ())
-    arguments: tuple[object, ...] = getattr(pattern, "arguments", ())
-    return any(n in wanted for n in names) or any(_mentions(a, wanted) for a in arguments)
 
 
 def bind_template(

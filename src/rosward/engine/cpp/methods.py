@@ -18,7 +18,7 @@ from rosward.domain.slots import Overloads, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.cpp import access, assumed_nodes, calls, endings, members, names, operators
+from rosward.engine.cpp import access, assigning, assumed_nodes, calls, endings, members, names, operators
 from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
@@ -209,6 +209,6 @@ def _walked(machine: Engine, iterator: Value, end: Value) -> Value:
         if more is None or item is UNBOUND:
             break
         items.append(copied(machine, item))
-        if operators.step(machine, "++", iterator, prefix=True) is UNBOUND:
+        if assigning.step(machine, "++", iterator, prefix=True) is UNBOUND:
             break
     return machine.unknown(Cause.LOOP, "")

@@ -10,7 +10,7 @@ from rosward.domain.compound import External, Partial
 from rosward.domain.heap import KIND
 from rosward.domain.slots import Overloads, Slot, TypeOf
 from rosward.domain.values import NONE, Class, ModuleValue, Ref, Unknown, Value
-from rosward.engine.cpp import access, members, names
+from rosward.engine.cpp import access, detection, members, names
 from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.names import Found
@@ -19,6 +19,7 @@ from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.engine.frame import Frame
 from rosward.ir import cpp, ops
 from rosward.ir.symbols import SymbolKind
+from rosward.models.cpp.traits import NO_TYPE
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -35,9 +36,17 @@ def name(machine: Engine, op: cpp.Name, frame: Frame) -> Value:
         value: Value = members.designator(found.symbols[0].name)
     elif isinstance(found, Found):
         value = _declared(machine, frame, found, types, qualified=qualified)
+    elif op.base != ops.NO_REGISTER and isinstance(found, External) and _is_absent(machine, op, frame):
+        value = NO_TYPE
     else:
         value = found if qualified else _not_declared(machine, frame, found)
     return value if op.slot else access.value(machine, value)
+
+
+def _is_absent(machine: Engine, op: cpp.Name, frame: Frame) -> bool:
+    """Whether a parameter of a template stands for a class that surely has no such member (`typename T::Config`)."""
+    cls = frame.registers[op.base]
+    return len(op.parts) == 1 and isinstance(cls, Class) and detection.lacks(machine, cls, op.parts[0].name)
 
 
 Resolved = tuple[Found | Value, tuple[Value, ...] | None]

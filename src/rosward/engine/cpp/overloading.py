@@ -258,7 +258,7 @@ def fit(machine: Engine, value: Value, type_: Value) -> int:
     if isinstance(value, (Const, Text, Unknown)):
         return _plain(machine, value, type_, name, target)
     if isinstance(value, Tuple):
-        return _NEVER if len(value.items) > 1 and _is_of_one(name, value) else _CONVERTED
+        return _NEVER if len(value.items) > 1 and (name == "pointer" or _is_of_one(name, value)) else _CONVERTED
     if isinstance(value, Ref):
         return _object(machine, machine.obj(value).cls, type_, name)
     return _CONVERTED if type_ != value else _EXACT

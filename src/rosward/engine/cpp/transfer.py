@@ -17,8 +17,10 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, V
 from rosward.engine.cpp import (
     access,
     as_type,
+    assigning,
     calls,
     construct,
+    detection,
     endings,
     initialising,
     methods,
@@ -60,7 +62,10 @@ def given(frame: Frame, arguments: tuple[cpp.Argued, ...]) -> tuple[Value, ...]:
 
 
 def _declared(machine: Engine, op: cpp.Declared, frame: Frame) -> None:
-    frame.registers[op.dst] = naming.declared_type(machine, op.name, frame)
+    own = op.obj == ops.NO_REGISTER
+    owner = NONE if own else frame.registers[op.obj]
+    found = naming.declared_type(machine, op.name, frame) if own else assigning.of_field(machine, op.name, owner)
+    frame.registers[op.dst] = found
 
 
 def _kept(frame: Frame, dst: int, value: Value) -> bool | None:
@@ -88,7 +93,7 @@ def _member(machine: Engine, op: cpp.Member, frame: Frame) -> bool | None:
     def declared() -> Value:
         return frame.registers[op.static] if machine.run(op.seen, frame) else UNBOUND
 
-    seen = declared if op.seen else None
+    seen = declared if op.static != ops.NO_REGISTER else None
     found = access.member(machine, frame, frame.registers[op.obj], op.name, types, own=op.obj == 0, declared=seen)
     return _kept(frame, op.dst, found if op.slot else access.value(machine, found))
 
@@ -115,17 +120,9 @@ def _read(machine: Engine, op: cpp.Read, frame: Frame) -> None:
     frame.registers[op.dst] = read(machine, frame.registers[op.src])
 
 
-def _assign(machine: Engine, op: cpp.Assign, frame: Frame) -> bool | None:
-    frame.op, frame.sequence = op, 0
-    done = operators.assign(machine, op.operator, frame.registers[op.slot], frame.registers[op.src])
-    if op.dst != ops.NO_REGISTER:
-        frame.registers[op.dst] = done
-    return DEAD if done is UNBOUND else None
-
-
 def _step(machine: Engine, op: cpp.Step, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    done = operators.step(machine, op.operator, frame.registers[op.slot], prefix=op.prefix)
+    done = assigning.step(machine, op.operator, frame.registers[op.slot], prefix=op.prefix)
     if op.dst == ops.NO_REGISTER:
         return DEAD if done is UNBOUND else None
     return _kept(frame, op.dst, done)
@@ -153,7 +150,7 @@ def _convert(machine: Engine, op: cpp.Convert, frame: Frame) -> bool | None:
         frame.registers[op.dst] = value
         return None
     if op.kind == "placed":
-        return _kept(frame, op.dst, operators.put_in(machine, frame.registers[op.type], value))
+        return _kept(frame, op.dst, assigning.put_in(machine, frame.registers[op.type], value))
     frame.cast[op.dst] = frame.registers[op.type]
     return _kept(frame, op.dst, as_type.convert(machine, value, frame.registers[op.type], op.kind))
 
@@ -203,9 +200,9 @@ def _invoke_member(machine: Engine, op: cpp.InvokeMember, frame: Frame) -> bool 
         args,
         types,
         scope=scope,
-        own=op.obj == 0,
+        own=op.obj == 0 and bool(naming.this_of(frame)),
         constant=op.constant,
-        declared=declared if op.seen else None,
+        declared=declared if op.static != ops.NO_REGISTER else None,
     )
     return _result(machine, frame, op, value)
 
@@ -241,7 +238,8 @@ def _make_type(_machine: Engine, op: cpp.MakeType, frame: Frame) -> None:
 
 def _type_of_value(machine: Engine, op: cpp.TypeOfValue, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
-    frame.registers[op.dst] = type_of(machine, frame.registers[op.src])
+    src = frame.registers[op.src]
+    frame.registers[op.dst] = detection.member_type(machine, src, op.member) if op.member else type_of(machine, src)
 
 
 def _braces(_machine: Engine, op: cpp.Braces, frame: Frame) -> None:
@@ -376,7 +374,7 @@ OWN: Final[dict[type[ops.Op], Handler]] = {
     cpp.Deref: _deref,
     cpp.AddressOf: _address_of,
     cpp.Read: _read,
-    cpp.Assign: _assign,
+    cpp.Assign: assigning.perform,
     cpp.Narrow: narrowing.narrow,
     cpp.Step: _step,
     cpp.Copy: _copy,

@@ -185,7 +185,13 @@ def match(
         return True
     if not pattern.arguments:
         return True
+    if pattern.names[-1:] == ("integer_sequence",) and dotted(type_) == "std.index_sequence":
+        kind, *numbers = pattern.arguments
+        match(machine, kind, TypeOf("int", ()), wanted, bindings, depth + 1)
+        pattern = pattern._replace(names=("std", "index_sequence"), arguments=tuple(numbers))
     types = _arguments(machine, type_)
+    if pattern.builtin == "function" and not isinstance(type_, Unknown) and name_of(type_) != "function":
+        return False
     if types is None or (pattern.names and pattern.names[-1] != dotted(type_).rpartition(".")[2]):
         return isinstance(type_, Unknown) and not sure
     for index, each in enumerate(pattern.arguments):

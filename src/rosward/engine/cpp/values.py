@@ -10,12 +10,13 @@ from rosward.domain.choice import join_all
 from rosward.domain.compound import External
 from rosward.domain.slots import Overloads, Slot
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Function, ModuleValue, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.cpp import names
-from rosward.engine.cpp.classes import bind_template, class_of, is_text_array, specialised
+from rosward.engine.cpp.classes import bind_template, class_of, is_text_array
 from rosward.engine.cpp.enumerations import of_enumeration
 from rosward.engine.cpp.linked import Info, linked, record
 from rosward.engine.cpp.names import Found
+from rosward.engine.cpp.specialising import meant_for
 from rosward.engine.cpp.thunks import evaluate
 from rosward.ir.program import CPP, Code, CodeKind, Parameters
 from rosward.ir.symbols import Signature, Symbol, SymbolKind
@@ -128,7 +129,9 @@ def _of_template(machine: Engine, found: Found, symbol: Symbol, types: tuple[Val
     bindings = bind_template(machine, parameters, types, found.env)
     given = tuple(bindings[p.name] for p in parameters)
     for special in found.symbols:
-        inner = specialised(machine, special, found.env, given) if special.specialises is not None else None
+        inner = meant_for(machine, special, found.env, given) if special.specialises is not None else None
+        if isinstance(inner, Unknown):
+            return inner
         if inner is not None and special.code is not None:
             values = tuple(inner[p.name] for p in special.template or ())
             return evaluate(machine, special.code, found.env, types=values)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, UNBOUND, Ref, Value
-from rosward.engine.cpp import as_type, construct, names, operators
+from rosward.engine.cpp import as_type, assigning, construct, names
 from rosward.engine.cpp.linked import linked
 from rosward.models.cpp.boxes import unboxed
 from rosward.models.cpp.compounds import alternative
@@ -60,6 +60,6 @@ def _emplaced(
         type_ = known[number] if number < len(known) else machine.unknown(Cause.CALL, "emplace")
     made = construct.make(machine, type_, args, "paren")
     made = made if made is UNBOUND else as_type.convert(machine, made, type_, "init")
-    if made is UNBOUND or operators.assign(machine, "=", slot, made) is UNBOUND:
+    if made is UNBOUND or assigning.assign(machine, "=", slot, made) is UNBOUND:
         return UNBOUND
     return unboxed(machine, slot)

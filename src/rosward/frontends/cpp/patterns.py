@@ -96,7 +96,7 @@ def pattern(type_: Node | None, declarator: Node | None, *, const: bool = False,
         if node is None:
             break
         if node.type in _FUNCTIONS:
-            takes = tuple(each.type for each in parameters(node))
+            takes = tuple(each.type._replace(pack=each.pack) for each in parameters(node))
             found = TypePattern(builtin="function", arguments=(found._replace(pointers=pointers), *takes))
             pointers = 0
         elif node.type in _POINTERS:
@@ -136,6 +136,19 @@ def _plain(node: Node | None, depth: int) -> TypePattern:
 def arguments(node: Node | None, depth: int = 0) -> tuple[TypePattern, ...]:
     """The arguments of a template."""
     return () if node is None else tuple(_arguments(node, depth))
+
+
+_PLAIN: Final = frozenset({"type_identifier", "identifier", "number_literal", "true", "false", "primitive_type"})
+
+
+def tested(node: Node | None) -> list[Node | None]:
+    """The arguments of a template that may have to be evaluated to know what they are; None for those that are names or numbers."""
+    found: list[Node | None] = []
+    for child in node.named_children if node is not None else ():
+        inside = child.child_by_field_name("type") if child.type == "type_descriptor" else child
+        is_plain = inside is None or inside.type in _PLAIN or child.child_by_field_name("declarator") is not None
+        found.append(None if is_plain or child.type == "parameter_pack_expansion" else child)
+    return found
 
 
 def _arguments(node: Node, depth: int) -> Iterator[TypePattern]:

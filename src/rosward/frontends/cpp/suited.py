@@ -13,8 +13,10 @@ p->template set("a", 1);                 p->         set("a", 1);
 a ? b : throw E();                       a ? b : ~~~~~ E();
 template<class T, int * = nullptr>       template<class T, int *_= nullptr>
 decltype(f(x), void())                   decltype(      void())
+decltype(declval<T>().f(), void())       decltype(declval<T>().f()% void())
 x.~Tree<Node>();                         x.~Tree      ();
 delete [] (v);                           delete []  v ;
+delete [] *v;                            delete    *v;
 v(i) = 0;                                v(i) =+0;
 void (*table[])() = {f, g};              void (*table[])()   {f, g};
 Lamp & on(lamps[0].on);                  Lamp & on=lamps[0].on ;
@@ -57,8 +59,11 @@ _THROW: Final = re.compile(r"(\?[^?;{}]{0,300}:|\?)(\s*)throw\b")
 
 _UNNAMED: Final = re.compile(r"\*[ \t](?=\s*=\s*(?:nullptr|NULL|0)\s*[,>])")
 _OPERANDS: Final = re.compile(r"\b(?:decltype|sizeof)\s*\(")
+_MADE_UP: Final = re.compile(r"\s*(?:\(\s*void\s*\)\s*)?(?:std\s*::\s*)?declval<[^,;{}]{0,300}")
+"""An operand before a comma that only asks whether it may stand there: the comma is read as an operator."""
 _DESTRUCTOR: Final = re.compile(r"((?:\.|->)\s*~\s*\w+)(<[^;(){}]{0,200}>)(?=\s*\(\s*\))")
 _DELETE: Final = re.compile(r"(\bdelete\s*\[\s*\]\s*)\(([^();]*)\)(?=\s*;)")
+_DELETE_LED: Final = re.compile(r"(\bdelete\s*)(\[\s*\])(?=\s*[*&(])")
 _ZERO: Final = re.compile(
     r"(?<=[;{})])(\s*(?:else\s+)?\w+\s*\(\s*[\w.]+(?:\s*[-+*/,]\s*[\w.]+){0,20}\s*\)\s*=)[ \t](?=\s*0\s*;)"
 )
@@ -120,7 +125,7 @@ def suited(text: str) -> str:
     if "~" in text:
         text = _DESTRUCTOR.sub(lambda found: found[1] + " " * len(found[2]), text)
     if "delete" in text:
-        text = _DELETE.sub(r"\1 \2 ", text)
+        text = _DELETE_LED.sub(_blank_brackets, _DELETE.sub(r"\1 \2 ", text))
     if "0" in text:
         text = _ZERO.sub(r"\1+", text)
     variables: dict[str, bool] = {}
@@ -166,7 +171,10 @@ def _last_operands(text: str) -> str:
     position = 0
     for found in _OPERANDS.finditer(text):
         comma = _last_comma(text, found.end())
-        if comma and found.start() >= position:
+        if comma and found.start() >= position and _MADE_UP.fullmatch(text, found.end(), comma):
+            pieces += (text[position : comma - 1], "%")
+            position = comma
+        elif comma and found.start() >= position:
             pieces += (text[position : found.end()], blank(text[found.end() : comma]))
             position = comma
     return "".join([*pieces, text[position:]])
@@ -209,6 +217,10 @@ def _nothing(found: re.Match[str]) -> str:
 def _plain_pointer(found: re.Match[str]) -> str:
     space, names = (found[1], found[2]) if found[2] is not None else (found[3], found[4])
     return f"{space}*{' ' * len(names)}" if found[2] is not None else f"{space}{' ' * len(names)}*"
+
+
+def _blank_brackets(found: re.Match[str]) -> str:
+    return found[1] + blank(found[2])
 
 
 def _blank(found: re.Match[str]) -> str:

@@ -265,12 +265,17 @@ class CppSymbol:
         node = self.declared.arguments
         return None if node is None else arguments(node)
 
+    @cached_property
+    def tested(self) -> tuple[Code | None, ...]:
+        """For each of these a thunk, where it may say more than its pattern: `std::enable_if_t<…>`, `decltype(…)`."""
+        nodes = patterns.tested(self.declared.arguments)
+        return tuple([None if n is None else lower.lower_default(self.written, n, self.template or ()) for n in nodes])
+
     @property
     def instance(self) -> tuple[TypePattern, ...]:
         """Of a member of a single instance of a template, what that is made of."""
         before = self.declared.before
-        node = before[-1].arguments if before else None
-        return () if node is None else arguments(node)
+        return arguments(before[-1].arguments) if before else ()
 
     # Code
 
@@ -390,9 +395,6 @@ class CppSymbol:
 
 def _computed_type(node: Node) -> Node | None:
     """The type of a parameter of a template that is a value, where that has arguments."""
-    type_ = (
-        node.child_by_field_name("type")
-        if node.type in {"parameter_declaration", "optional_parameter_declaration"}
-        else None
-    )
+    is_value = node.type in {"parameter_declaration", "optional_parameter_declaration"}
+    type_ = node.child_by_field_name("type") if is_value else None
     return type_ if type_ is not None and b"<" in (type_.text or b"") else None

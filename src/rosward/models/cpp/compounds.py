@@ -15,7 +15,8 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Tuple
 from rosward.domain.series import Series
 from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Unknown, Value
+from rosward.models.cpp.alternatives import is_of_type
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.boxes import is_open, unboxed
 from rosward.models.cpp.characters import as_kept
@@ -28,10 +29,9 @@ from rosward.models.cpp.slots import new_pair, read
 from rosward.models.cpp.types import Shape, argument, hint_of, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.lists import write_series
-from rosward.models.python.operators.compare import kind_of
 from rosward.models.python.plain import int_of, unknown_from
 
-__all__ = ["NATIVES", "alternative", "is_of_type"]
+__all__ = ["NATIVES", "alternative"]
 
 _AUTO: Final = TypeOf("auto", ())
 
@@ -161,26 +161,6 @@ def _may_be(machine: Machine, item: Value, type_: Value) -> bool:
     return not is_text and is_of_type(machine, item, type_) is not False
 
 
-def is_of_type(machine: Machine, value: Value, type_: Value) -> bool | None:
-    """Whether a variant holds a value of a type, as far as values tell."""
-    value = read(machine, unboxed(machine, value))
-    if len(options(value)) > 1:
-        answers = {is_of_type(machine, option, type_) for option in options(value)}
-        return answers.pop() if len(answers) == 1 else None
-    shape = shape_of(type_)
-    if isinstance(value, Ref):
-        cls = machine.obj(value).cls
-        if is_open(machine, value):
-            return None
-        if isinstance(cls, Class) or isinstance(type_, Class):
-            return type_ in cls.mro if isinstance(cls, Class) else False
-        return cls == type_ or (None if shape_of(cls) is shape else False)
-    kind = {"NoneType": ""}.get(kind_of(machine, value), kind_of(machine, value))
-    if not kind:
-        return shape in (Shape.POINTER, Shape.ANY) if value == NONE or isinstance(value, Pointer) else None
-    return hint_of(type_) == kind
-
-
 def _holds(call: NativeCall) -> Value:
     """std::holds_alternative<T>(variant)."""
     types = _types(call)
@@ -261,11 +241,17 @@ def _any_cast(call: NativeCall) -> Value:
     types, value = _types(call), read(call.machine, call.args[0])
     if not types:
         return value
-    if isinstance(value, Pointer):
+    if isinstance(value, Pointer) and not _holds_it(call.machine, value, types[0]):
         return _get_if(call)
     error = ("bad_any_cast", "bad any_cast")
     found = [_alternative(call.machine, p, held, types[0], error) for p, held in _apart(call.machine, call.args[0])]
     return join_all(found)
+
+
+def _holds_it(machine: Machine, pointer: Pointer, wanted: Value) -> bool:
+    """Whether an `any` holds this pointer; else it is a pointer to an `any`, which holds something else."""
+    inside = options(read(machine, pointer.target))
+    return shape_of(wanted) is Shape.POINTER and not all(o == NONE or isinstance(o, Pointer) for o in inside)
 
 
 # Optionals

@@ -18,7 +18,7 @@ from typing import Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
-from rosward.domain.slots import Overloads, Pointer, Slot
+from rosward.domain.slots import Overloads, Pointer, Slot, is_char_text
 from rosward.domain.text import concat
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.models.cpp import chrono, streams
@@ -117,8 +117,9 @@ def _of_texts(machine: Machine, op: str, left: Value, right: Value) -> Value:
         return slash(machine, left, right)
     if op == "+" and is_text(left) and is_text(right):
         return concat((left, right))
+    points = is_char_text(left) or is_char_text(right)  # at characters: it moves, also where one is left
     a, b = number_of(left), number_of(right)
-    if a is not None and b is not None:
+    if a is not None and b is not None and not points:
         return _numbers(machine, op, a, b)
     if op != "+":
         return unknown_from(machine, op, "int", left, right)
@@ -132,7 +133,7 @@ def _moved(machine: Machine, value: Value, other: Value) -> Value:
     """A text and a number: a pointer into characters moves by it."""
     text, number = text_of(value), other.value if isinstance(other, Const) else None
     if text is not None and isinstance(number, int) and 0 <= number <= len(text):
-        return from_python(machine, text[number:], origins(value, other))
+        return Const(type(text)(text[number:]), origins(value, other))
     return unknown_from(machine, "+", "str" if text is not None and len(text) != 1 else "", value, other)
 
 

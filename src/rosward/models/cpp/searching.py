@@ -84,6 +84,11 @@ def _somewhere(machine: Machine, slot: Slot, element: Value) -> Value:
     return iterator(slot.base, unknown_from(machine, "find", "int", element), slot.kind)
 
 
+def _point(call: NativeCall) -> Value:
+    """partition_point: the first element that is not what is asked for."""
+    return _find(call._replace(name="std.find_if_not"))
+
+
 def _answers(call: NativeCall) -> list[bool | None]:
     machine = call.machine
     test = tests(call, 2)
@@ -232,6 +237,7 @@ _FUNCTIONS: Final[dict[str, NativeFunction]] = {
     **dict.fromkeys(("find", "find_if", "find_if_not"), _find),
     **dict.fromkeys(("count", "count_if"), _count),
     **dict.fromkeys(("all_of", "any_of", "none_of"), _quantified),
+    "partition_point": _point,
     "equal": _equal,
     "mismatch": _mismatch,
     "lexicographical_compare": _lexicographical,

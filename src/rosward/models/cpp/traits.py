@@ -18,11 +18,13 @@ from rosward.domain.values import TRUE, Choice, Class, Const, Unknown, Value
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
 from rosward.source.location import Place
 
-__all__ = ["NO_TYPE", "TRAITS"]
+__all__ = ["NO_TYPE", "SOME_TYPE", "TRAITS"]
 
 NO_TYPE: Final = External("std.enable_if.none")
 """What stands for the type that `std::enable_if_t<false>` does not have."""
 _NOWHERE: Final = Place("", 0)
+SOME_TYPE: Final = Unknown((Reason(Cause.OPERATION, "type of a member", _NOWHERE),))
+"""A type that is there, whichever it is."""
 _VOID: Final = TypeOf("void", ())
 _WRAPPERS: Final = frozenset(("reference", "const", "volatile", "rvalue"))
 _POINTERS: Final = frozenset(("pointer", "std.shared_ptr", "std.unique_ptr", "std.weak_ptr"))
@@ -236,11 +238,14 @@ def _enable_if(types: Types) -> Value:
         return NO_TYPE
     truth = _value(types[0])
     given = types[1] if len(types) > 1 else _VOID
-    return NO_TYPE if truth is False else given
+    return NO_TYPE if truth is False else given if truth else _unknown("enable_if")
 
 
 def _void(types: Types) -> Value:
-    return NO_TYPE if NO_TYPE in types else _VOID
+    if NO_TYPE in types:
+        return NO_TYPE
+    is_open = any(isinstance(each, (Unknown, Choice)) and each != SOME_TYPE for each in types)
+    return _unknown("void_t") if is_open else _VOID
 
 
 def _common(types: Types) -> Value:

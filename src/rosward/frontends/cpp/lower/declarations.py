@@ -13,7 +13,7 @@ from rosward.frontends.cpp.lower.initialisers import Given, construct, given
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import parts_of
-from rosward.frontends.cpp.lower.seen import own
+from rosward.frontends.cpp.lower.seen import own, written_cast
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import (
     ARRAYS,
@@ -32,7 +32,7 @@ from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.lower.vexing import arguments_in, meant, referent
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.core import NO_REGISTER, Binary
-from rosward.ir.cpp import Convert, Destructure, StaticLocal
+from rosward.ir.cpp import Convert, Copy, Destructure, StaticLocal
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -137,7 +137,10 @@ def _one(
     )
     found.buffer = characters
     found.leads_to_constant = has_const(node) and has(shape, POINTERS)
-    found.written = None if type_node is None or type_node.type in _AUTO else (type_node, shape)
+    is_auto = type_node is None or type_node.type in _AUTO
+    found.written = (type_node, shape) if type_node is not None and not is_auto else None
+    if is_auto and what is not None and not isinstance(what, Given) and (reference or has(shape, POINTERS)):
+        found.written = written_cast(what)
     if static:
         result = NO_REGISTER
 
@@ -164,8 +167,12 @@ def initial(
 ) -> int:
     """The first value of a variable by value."""
     auto = type_node is None or type_node.type in _AUTO
-    if auto and isinstance(what, Given):
-        return body.unknown(node, "syntax")
+    if auto and isinstance(what, Given):  # `auto b(a);`
+        if len(what.arguments) != 1:
+            return body.unknown(node, "syntax")
+        dst = body.register()
+        body.emit(Copy(*body.place(node), dst, what.arguments[0].register, NO_REGISTER))
+        return dst
     if auto and what is not None and not isinstance(what, Given):
         return _deduced(body, what, equals)
     if (

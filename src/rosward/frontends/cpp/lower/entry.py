@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower import (
     calls,
+    coroutines,
     declarations,
     folds,
     initialisers,
@@ -49,12 +50,14 @@ EXPRESSIONS: Final[Mapping[str, Callable[[Body, Node, Want], int]]] = {
     **lambdas.EXPRESSIONS,
     **folds.EXPRESSIONS,
     **statements.EXPRESSIONS,
+    **coroutines.EXPRESSIONS,
     **types.EXPRESSIONS,
 }
 STATEMENTS: Final[Mapping[str, Callable[[Body, Node], None]]] = {
     **statements.STATEMENTS,
     **declarations.STATEMENTS,
     **loops.STATEMENTS,
+    **coroutines.STATEMENTS,
 }
 
 _VALUE, _TYPE, _BASE, _DEFAULT, _TARGET = 2, 3, 4, 5, 6
@@ -178,7 +181,7 @@ def _content(body: Body, written: Written, node: Node) -> None:
         begin()
     content = node.child_by_field_name("body")
     if content is not None:
-        body.statement(content)
+        coroutines.content(body, content)
 
 
 def _is_constructor(written: Written) -> bool:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rosward.frontends.cpp.lower import coroutines
 from rosward.frontends.cpp.lower.body import Body, Want, free_cell
 from rosward.frontends.cpp.lower.functions import Function, finish, prologue, template_of
 from rosward.frontends.cpp.lower.seen import own
@@ -92,7 +93,7 @@ def _lambda(body: Body, node: Node, _want: Want) -> int:
     prologue(inner, function, lambda: _take(inner, node, captures.copied, first))
     code_body = node.child_by_field_name("body")
     if code_body is not None:
-        inner.statement(code_body)
+        coroutines.content(inner, code_body)
     code = finish(inner, function, "<lambda>")
     dst = body.register()
     copies = tuple(copied.register for copied in captures.copied)

@@ -12,7 +12,7 @@ from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import last_part, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.narrowing import COMPARE, condition, conjunction, split
-from rosward.frontends.cpp.lower.seen import is_constant, seen_scope
+from rosward.frontends.cpp.lower.seen import is_constant, led_to, seen_scope
 from rosward.frontends.cpp.lower.survey import is_apart, operator_of, through_member, word
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
@@ -245,7 +245,8 @@ def _assignment(body: Body, node: Node, want: Want) -> int:
     elif operator == "=":
         src = _converted(body, node, target, right, src)
     dst = NO_REGISTER if want == "effect" else body.register()
-    body.emit(Assign(*body.place(node), dst, operator, slot, src))
+    seen, static = led_to(body, left) if operator == "=" else ([], NO_REGISTER)
+    body.emit(Assign(*body.place(node), dst, operator, slot, src, seen=seen, static=static))
     return dst if want == "effect" else body.given(node, dst, want)
 
 

@@ -85,6 +85,13 @@ def _cast(node: Node | None) -> Node | None:
     return types.named_children[0] if types is not None and len(types.named_children) == 1 else None
 
 
+def written_cast(node: Node) -> tuple[Node, Node | None] | None:
+    """The type that a cast writes, and what its declarator adds: for `auto & part = static_cast<Part &>(lamp);`."""
+    found = _cast(_plain(node)) if node.type != "pointer_expression" else None
+    type_ = found.child_by_field_name("type") if found is not None else None
+    return None if found is None or type_ is None else (type_, found.child_by_field_name("declarator"))
+
+
 _CASTS: Final = frozenset({"static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"})
 
 
@@ -99,14 +106,49 @@ def seen_scope(body: Body, field: Node, node: Node | None, written: Written | No
 
         return body.block(lower), found
     plain = _plain(node)
-    if _cast(plain) is not None:
+    is_name = plain is not None and plain.type == "identifier"
+    variable = body.variable(word(plain)) if is_name else None
+    if _cast(plain) is not None or (is_name and variable is None):
         return declared(body, node, body.place(field))
-    variable = body.variable(word(plain)) if plain is not None and plain.type == "identifier" else None
     if variable is None or variable.written is None or variable.raw:
         return [], NO_REGISTER
     type_node, shape = variable.written
     leads = has(shape, REFERENCES | POINTERS) and type_node.type == "type_identifier"
     return _written(body, variable.written) if leads else ([], NO_REGISTER)
+
+
+def led_to(body: Body, node: Node | None) -> tuple[Block, int]:
+    """The same for what is assigned to: `r = b`, `*p = b`, `o.x = b`."""
+    plain = _plain(node)
+    if plain is not None and plain.type == "field_expression":
+        return _of_field(body, plain)
+    if plain is None or node is None or plain.type != "identifier":
+        return [], NO_REGISTER
+    variable = body.variable(word(plain))
+    if variable is not None and (variable.builtin or variable.written is None or variable.raw):
+        return [], NO_REGISTER
+    return declared(body, node, body.place(plain))
+
+
+def _of_field(body: Body, node: Node) -> tuple[Block, int]:
+    """The type of `this->x`, and of `o.x`, where reading `o` does nothing else."""
+    owner, field = node.child_by_field_name("argument"), node.child_by_field_name("field")
+    if owner is None or field is None or field.type != "field_identifier" or not _is_plain(owner):
+        return [], NO_REGISTER
+    dst, place = body.register(), body.place(node)
+    if owner.type == "this":
+        return ([Declared(*place, dst, word(field))], dst) if body.has_this else ([], NO_REGISTER)
+
+    def lower() -> None:
+        body.emit(Declared(*place, dst, word(field), body.slot(owner)))
+
+    return body.block(lower), dst
+
+
+def _is_plain(node: Node) -> bool:
+    while node.type == "field_expression":
+        node = node.child_by_field_name("argument") or node.children[0]
+    return node.type in ("identifier", "this")
 
 
 def is_constant(body: Body, node: Node | None, *, through: bool = False) -> bool:

@@ -307,10 +307,6 @@ def _labeled(body: Body, node: Node) -> None:
             body.statement(child)
 
 
-def _language(body: Body, node: Node) -> None:
-    body.unknown(node, "language")
-
-
 def _language_expression(body: Body, node: Node, _want: str) -> int:
     return body.unknown(node, "language", node.type.removesuffix("_expression"))
 
@@ -331,8 +327,6 @@ STATEMENTS: Final = {
     "labeled_statement": _labeled,
     "attributed_statement": _labeled,
     "goto_statement": goto,
-    "co_return_statement": _language,
-    "co_yield_statement": _language,
     "qualified_identifier": _bare,
     "identifier": _bare,
     "type_identifier": _bare,
@@ -354,7 +348,7 @@ EXPRESSIONS: Final = {
     "delete_expression": _delete,
     **dict.fromkeys(
         (
-            "alignof_expression", "offsetof_expression", "gnu_asm_expression", "co_await_expression",
+            "alignof_expression", "offsetof_expression", "gnu_asm_expression",
             "generic_expression", "requires_expression",
         ),
         _language_expression,

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
-from rosward.ir.cpp import LocalSymbol, MakeType, TypeOfValue
+from rosward.ir.core import NO_REGISTER
+from rosward.ir.cpp import LocalSymbol, MakeType, Name, Part, TypeOfValue
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -163,6 +164,9 @@ def _decltype(body: Body, node: Node) -> int:
     inner = next((child for child in node.named_children if child.type != "auto"), None)
     if inner is None:
         return _made(body, node, "auto")
+    detected = _detected(body, inner) if inner.type != "binary_expression" else _asked_first(body, inner)
+    if detected != NO_REGISTER:
+        return detected
     waiting = [inner]
     for _ in range(_LOOKED_AT):
         if not waiting:
@@ -175,6 +179,70 @@ def _decltype(body: Body, node: Node) -> int:
     dst = body.register()
     body.emit(TypeOfValue(*body.place(node), dst, src))
     return dst
+
+
+def _detected(body: Body, node: Node) -> int:
+    """The type of `std::declval<T>().x`, `std::declval<T>().f(…)`, `&T::x`; NO_REGISTER for anything else."""
+    owner = member = None
+    if node.type == "pointer_expression" and node.children[0].type == "&":
+        name = node.child_by_field_name("argument")
+        if name is not None and name.type == "qualified_identifier":
+            scope, last = name.child_by_field_name("scope"), name.child_by_field_name("name")
+            if scope is not None and last is not None and last.type == "identifier":
+                variable = body.variable(word(scope))
+                owner = body.value(scope) if variable is not None and variable.raw else None
+                member = word(last)
+    else:
+        called = node.child_by_field_name("function") if node.type == "call_expression" else node
+        if called is not None and called.type == "field_expression":
+            field, inside = called.child_by_field_name("field"), called.child_by_field_name("argument")
+            if (
+                field is not None
+                and inside is not None
+                and field.type == "field_identifier"
+                and word(called.child_by_field_name("operator")) == "."
+            ):
+                owner, member = _made_up(body, inside), word(field)
+    if owner is None or owner == NO_REGISTER or not member:
+        return NO_REGISTER
+    dst = body.register()
+    body.emit(TypeOfValue(*body.place(node), dst, owner, member))
+    return dst
+
+
+def _asked_first(body: Body, node: Node) -> int:
+    """`decltype(std::declval<T>().f(), void())`, of which `suited` has made one expression; NO_REGISTER for anything else."""
+    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+    if left is None or right is None or not any(child.type == "%" for child in node.children):
+        return NO_REGISTER
+    while left is not None and left.type in ("parenthesized_expression", "cast_expression"):
+        left = left.child_by_field_name("value") if left.type == "cast_expression" else left.named_children[0]
+    detected = NO_REGISTER if left is None else _detected(body, left)
+    if detected == NO_REGISTER:
+        return NO_REGISTER
+    if word(right).replace(" ", "") != "void()":
+        return body.unknown(node, "language", "decltype")
+    dst = body.register()
+    body.emit(Name(*body.place(node), dst, (Part("std"), Part("void_t", (detected,)))))
+    return dst
+
+
+def _made_up(body: Body, node: Node) -> int:
+    """The type of `std::declval<T>()`, or of a member of it."""
+    while node.type == "parenthesized_expression" and node.named_children:
+        node = node.named_children[0]
+    function = node.child_by_field_name("function") if node.type == "call_expression" else None
+    text = word(function)
+    if function is not None and text.startswith(("std::declval<", "declval<")):
+        while function is not None and function.type == "qualified_identifier":
+            function = function.child_by_field_name("name")
+        types = function.child_by_field_name("arguments") if function is not None else None
+        return (
+            type_of(body, types.named_children[0])
+            if types is not None and len(types.named_children) == 1
+            else NO_REGISTER
+        )
+    return _detected(body, node)
 
 
 def _class(body: Body, node: Node) -> int:
