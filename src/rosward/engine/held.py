@@ -7,13 +7,13 @@ from collections.abc import Iterator
 
 from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.suspended import Suspension
-from rosward.domain.values import Ref, Value
+from rosward.domain.values import Value
 
 
 def values_in(obj: Obj) -> Iterator[Value]:
     """All of them."""
     yield from obj.attrs.values()
-    if obj.kind == "instance":
+    if obj.kind == "instance" and obj.payload is None:
         return
     if obj.items:
         yield from obj.items
@@ -30,7 +30,7 @@ def values_in(obj: Obj) -> Iterator[Value]:
     payload = obj.payload
     if payload.__class__ is Alternatives:
         yield from (value for value, _ in payload.elements)
-    elif isinstance(payload, Ref):
+    elif isinstance(payload, Value):
         yield payload
     elif isinstance(payload, Suspension):
         for point, values in payload.points.items():

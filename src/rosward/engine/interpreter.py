@@ -80,6 +80,7 @@ class Interpreter(Answers):
         self.ways: dict[str, dict[int, Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
         self.asked_for: set[int] = set()  # the addresses whose records were read since it was emptied last
+        self.inner: set[int] = set()  # where objects stand that belong to an attribute of another one
         self.attribute_names = AttributeNames()
         self.linked: object = None  # what a language with a linker keeps of its program
         self._versions = 0
@@ -194,10 +195,13 @@ class Interpreter(Answers):
     def part(self, ref: Ref, name: str) -> Obj:
         """The record behind a reference, of which nothing is read but this attribute, and what tells how it is read."""
         address = ref.address
-        self.asked_for.add(self.attribute_names.question(address, name))
         page = self.state.heap.pages.get(address >> SHIFT)
         found = None if page is None else page[address & MASK]
-        return found if found is not None else self.library.at(address)
+        if found is None:
+            found = self.library.at(address)
+        whole = found.kind == "cell"  # of which a call forgets again what it asked for, where it made it (`bodies.py`)
+        self.asked_for.add(address if whole else self.attribute_names.question(address, name))
+        return found
 
     def at(self, address: int) -> Obj:
         """The record at an address."""
@@ -296,6 +300,7 @@ class Interpreter(Answers):
         """The object that belongs to an attribute of another one."""
         key = ("inner", owner.address, name)
         address = self.place_key(key)
+        self.inner.add(address)
         if again or self.own(address) is None:
             self.place_at(key, obj)
         return Ref(address)

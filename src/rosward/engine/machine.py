@@ -105,6 +105,7 @@ class Engine(Machine, Protocol):
     noted: int
     handling: list[tuple[Value, int]]
     unheld: set[int]
+    inner: set[int]
     ended_at: dict[Place, Value]
     advancing: dict[int, Running]
     ways: dict[str, dict[int, Way]]

@@ -15,6 +15,7 @@ from rosward.domain.compound import function_behind
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, Ref, Unknown, Value
+from rosward.engine import made_many
 from rosward.engine.arguments import ANY
 from rosward.engine.attributes_asked import records_of
 from rosward.engine.budget import BeginAnewError, LimitReachedError
@@ -22,8 +23,8 @@ from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
 from rosward.engine.scheduled import Scheduled
 from rosward.engine.throwing import throw
-from rosward.engine.unchanged import is_unchanged, made_many, remembered
-from rosward.engine.unheld import arrive, unheld
+from rosward.engine.unchanged import is_unchanged, remembered
+from rosward.engine.unheld import arrive, replaced, unheld
 from rosward.findings import Finding, Findings
 from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
@@ -220,21 +221,29 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
     def widening(old: Value, new: Value) -> Value:
         return widen(old, new, reason)
 
+    made: set[int] = set()  # the addresses of what callbacks have made in the last round
     for round_ in range(machine.budget.rounds * 3):
+        looked = bool(made)
+        if looked:
+            gone = unheld(machine, book.entries.values(), frames)
+            machine.unheld = replaced(machine, gone)
+            made_many.mark(machine, book.entries.values(), made - gone)
+            made.clear()
         start = (len(book.entries), machine.state.version)
-        looked = False
         merge = join if round_ < machine.budget.widen_after else widening
         for entry in [e for e in book.entries.values() if not e.exhausted]:
             if is_unchanged(machine, entry) or not _afford(machine, entry):
                 continue
             if not looked:
-                machine.unheld, looked = unheld(machine, book.entries.values(), frames), True
+                gone, looked = unheld(machine, book.entries.values(), frames), True
+                machine.unheld = replaced(machine, gone)
             base = machine.state
             machine.state = base.copy()
             with remembered(machine, entry, base):
                 _call(machine, entry)
-            made_many(machine.state, base, machine.library.first_address)
+            before = base.copy()
             machine.state = join_states(base, machine.state, machine.fresh_version, merge)
+            made_many.note(machine, entry, before, made)
         if start == (len(book.entries), machine.state.version):
             return
         machine.check_time()

@@ -29,8 +29,10 @@ class Scheduled:
         "doubted",
         "event",
         "exhausted",
+        "left",
         "made",
         "nodes",
+        "own",
         "parts",
         "place",
         "read",
@@ -58,6 +60,8 @@ class Scheduled:
         self.read: list[tuple[int, Obj | None]] = []  # the records that it asked for when it ran last, as it found them
         # and those of which it asked for no more than one attribute
         self.parts: list[tuple[int, str, Obj | None]] = []
+        self.own: list[int] = []  # where it read what it made itself,
+        self.left: list[tuple[int, Obj | None]] = []  # and the records that it left there
         self.made = False  # it created something of ROS
         self.nodes: Answered = ()  # and which nodes it asked for
         self.around: tuple[object, ...] = ()  # what else it may have asked for (`unchanged.py`)

@@ -4,7 +4,7 @@
 def on_timer(self): self.pub.publish(self.msg)     read: the node, the publisher, the message
 def on_scan(self, scan): self.last = scan          writes to the node, so that on_timer runs once more
 
-What a callback did from the same records is in the state already. Each runs twice at least: what it makes is made many times.
+What a callback did from the same records is in the state already. What it made itself counts as it left it: others may have changed that.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from rosward.engine import nodes_asked
 from rosward.engine.attributes_asked import FIRST, says_the_same
 
 if TYPE_CHECKING:
-    from rosward.domain.heap import Obj
     from rosward.domain.memory import Heap
     from rosward.domain.state import State
     from rosward.engine.machine import Engine
@@ -26,17 +25,15 @@ if TYPE_CHECKING:
 _LEAST: Final = 2
 """A callback that creates something of ROS runs so often at least: from the second time on, what it makes is made many times."""
 
-_ONE: Final = ("class", "module")
-
 
 def is_unchanged(machine: Engine, entry: Scheduled) -> bool:
     """Whether a callback would do what it did the last time."""
     if entry.runs < (_LEAST if entry.made else 1) or entry.around != circumstances(machine):
         return False
     heap = machine.state.heap
-    same = all(heap.get(address) is record for address, record in entry.read) and all(
-        says_the_same(record, heap.get(address), name) for address, name, record in entry.parts
-    )
+    same = all(heap.get(address) is record for address, record in entry.read)
+    same = same and all(heap.get(address) is record for address, record in entry.left)
+    same = same and all(says_the_same(record, heap.get(address), name) for address, name, record in entry.parts)
     return same and nodes_asked.still_holds(machine.log, entry.nodes)
 
 
@@ -50,7 +47,7 @@ def remembered(machine: Engine, entry: Scheduled, before: State) -> Iterator[Non
     try:
         yield
     finally:
-        entry.read, entry.parts = _read(machine, before.heap, unheld)
+        _read(machine, entry, before.heap, unheld)
         entry.made = entry.made or machine.log.made != made
         entry.nodes = nodes_asked.answered(machine.log, machine.asked_for, nodes)
         entry.runs += 1
@@ -58,15 +55,12 @@ def remembered(machine: Engine, entry: Scheduled, before: State) -> Iterator[Non
         machine.asked_for |= outer
 
 
-def _read(
-    machine: Engine, before: Heap, unheld: Set[int]
-) -> tuple[list[tuple[int, Obj | None]], list[tuple[int, str, Obj | None]]]:
-    """What a callback found where it looked: the records, and those of which it asked for one attribute.
+def _read(machine: Engine, entry: Scheduled, before: Heap, unheld: Set[int]) -> None:
+    """Note what a callback found where it looked: the records, and those of which it asked for one attribute.
 
-    Without what it made itself: nothing was there before, or something that nothing held.
+    What it made itself is apart: nothing was there before, or something that nothing held.
     """
-    whole: list[tuple[int, Obj | None]] = []
-    parts: list[tuple[int, str, Obj | None]] = []
+    entry.read, entry.parts, entry.own = [], [], []
     first = machine.library.first_address
     for asked in machine.asked_for:
         if FIRST < asked < 0:
@@ -74,19 +68,11 @@ def _read(
         address, name = (asked, "") if asked >= 0 else machine.attribute_names.asked(asked)
         record = before.get(address)
         if address in unheld or (record is None and address >= first):
-            continue
-        if asked >= 0:
-            whole.append((address, record))
+            entry.own.append(address)
+        elif asked >= 0:
+            entry.read.append((address, record))
         else:
-            parts.append((address, name, record))
-    return whole, parts
-
-
-def made_many(state: State, before: State, first: int) -> None:
-    """What a callback has made is made many times: it runs again."""
-    for address, obj in list(state.heap.changed_since(before.heap)):
-        if address >= first and not obj.many and obj.kind not in _ONE and before.heap.get(address) is None:
-            state.heap[address] = obj.replace(many=True)
+            entry.parts.append((address, name, record))
 
 
 def circumstances(machine: Engine) -> tuple[object, ...]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which messages and variables does nothing hold any more, when the callbacks run once more?
+"""Which objects does nothing hold any more, when the callbacks run once more? Of these, a new message or variable takes the place of the old one.
 
 def on_timer(self):
     msg = String()           the message of the last time is gone: here is one new message, not one of several
@@ -15,9 +15,10 @@ from collections.abc import Iterable, Iterator
 from itertools import repeat
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Super, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Overloads, Pointer, Slot
+from rosward.domain.suspended import Suspension
 from rosward.domain.values import Choice, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine.held import values_in
 
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
     from rosward.engine.scheduled import Scheduled
 
+_LASTING: Final = ("class", "module")
 ARRIVING: Final = ("message", "service")
 """Events with which new messages arrive as arguments."""
 _NOTHING: Final = repeat(None)
@@ -33,22 +35,23 @@ _LEAVES: Final = frozenset((Const, Text, Unknown, Native, External))
 
 
 def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame]) -> set[int]:
-    """The addresses of messages and cells that nothing refers to: no other object, no frame of the main body, no callback.
+    """The addresses to which nothing leads: no class, module or node, no frame of the main body, no callback.
 
     A callback refers to the message that arrives with it only if it is given another time, too.
     """
     if machine.advancing:
         return set()  # generators that are running hold values elsewhere
-    held: set[int] = set()
-    inside: dict[int, list[Ref]] = {}  # what messages and cells themselves hold
+    held = {effect.address for effect in machine.log.nodes}
+    inside: dict[int, list[int]] = {}  # where objects lead
+    first = machine.library.first_address
     for address, obj in machine.state.heap.items():
-        found = list(_refs(values_in(obj)))
-        if obj.kind == "cell" or (obj.kind == "instance" and obj.cls.__class__ is External):
-            inside[address] = found
+        found = [r.address for r in _refs(values_in(obj))]
+        found += _cells_of(obj)
+        if obj.kind in _LASTING or address < first or (address in machine.inner and not _is_message(obj)):
+            held.update(found)
         else:
-            held.update(r.address for r in found)
-    if not inside:
-        return set()
+            inside[address] = found
+    held.update(r.address for r in _refs(machine.schedule_book.raised))
     arriving: Counter[int] = Counter()
     seen: set[tuple[int, int]] = set()
     for entry in entries:
@@ -64,11 +67,28 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     held.update(r.address for r in _refs(machine.trace.handed))
     work = [address for address in inside if address in held]
     while work:
-        for ref in inside[work.pop()]:
-            if ref.address in inside and ref.address not in held:
-                held.add(ref.address)
-                work.append(ref.address)
+        for address in inside[work.pop()]:
+            if address in inside and address not in held:
+                held.add(address)
+                work.append(address)
     return inside.keys() - held
+
+
+def replaced(machine: Engine, addresses: Iterable[int]) -> set[int]:
+    """Those of some addresses where a message or a cell stands: what is made there next takes its place."""
+    heap = machine.state.heap
+    return {a for a in addresses if (obj := heap.get(a)) is not None and (obj.kind == "cell" or _is_message(obj))}
+
+
+def _is_message(obj: Obj) -> bool:
+    return obj.kind == "instance" and obj.cls.__class__ is External
+
+
+def _cells_of(obj: Obj) -> Iterator[int]:
+    """The variables of a generator that waits, which inner functions capture."""
+    if isinstance(obj.payload, Suspension):
+        for point in obj.payload.points:
+            yield from point.cells
 
 
 def _only_there(machine: Engine, entry: Scheduled, seen: set[tuple[int, int]]) -> Iterator[Obj]:
@@ -114,6 +134,8 @@ def _refs(values: Iterable[Value]) -> Iterator[Ref]:
             yield from _refs((value.receiver,))
         elif isinstance(value, Descriptor):
             yield from _refs(v for v in (value.getter, value.setter, value.deleter) if v is not None)
+        elif isinstance(value, Slice):
+            yield from _refs(value.fields())
 
 
 def arrive(machine: Engine, entry: Scheduled) -> None:
