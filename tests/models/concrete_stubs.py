@@ -111,6 +111,7 @@ class Stubs:
                 escape=lambda *_: None,
                 ask=lambda *_: None,
                 tried=lambda: False,
+                waits=lambda marked: marked,
                 reads_only=lambda marked: marked,
                 pure=lambda marked: marked,
                 stops=lambda marked: marked,

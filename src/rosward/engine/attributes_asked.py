@@ -36,7 +36,12 @@ class AttributeNames:
         self._numbers: dict[str, int] = {}
 
     def question(self, address: int, name: str) -> int:
-        """What is noted where somebody asks for one attribute of the object at an address; for the whole record where there are too many."""
+        """What is noted where somebody asks for one attribute of the object at an address.
+
+        The whole record, where it is one of a function, or where there are too many names.
+        """
+        if address < 0:
+            return address
         number = self._numbers.get(name)
         if number is None:
             number = len(self._names)
@@ -53,12 +58,12 @@ class AttributeNames:
 
 
 def records_of(asked_for: Iterable[int]) -> Iterator[int]:
-    """The addresses of all records that were read, wholly or in part."""
+    """The addresses of all records that were read, wholly or in part. Questions for nodes are among them: there is no record there.
+
+    Those of functions are below zero (`Library.function_address`), but far above questions for attributes.
+    """
     for asked in asked_for:
-        if asked >= 0:
-            yield asked
-        elif asked <= FIRST:
-            yield (FIRST - asked) >> _BITS
+        yield asked if asked > FIRST else (FIRST - asked) >> _BITS
 
 
 def says_the_same(then: Obj | None, now: Obj | None, name: str) -> bool:

@@ -63,13 +63,11 @@ def _read(machine: Engine, entry: Scheduled, before: Heap, unheld: Set[int]) -> 
     entry.read, entry.parts, entry.own = [], [], []
     first = machine.library.first_address
     for asked in machine.asked_for:
-        if FIRST < asked < 0:
-            continue
-        address, name = (asked, "") if asked >= 0 else machine.attribute_names.asked(asked)
+        address, name = (asked, "") if asked > FIRST else machine.attribute_names.asked(asked)
         record = before.get(address)
         if address in unheld or (record is None and address >= first):
             entry.own.append(address)
-        elif asked >= 0:
+        elif asked > FIRST:
             entry.read.append((address, record))
         else:
             entry.parts.append((address, name, record))
