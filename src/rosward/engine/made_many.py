@@ -23,10 +23,15 @@ _ONE: Final = ("class", "module")
 def note(machine: Engine, entry: Scheduled, before: State, made: set[int]) -> None:
     """A callback has run from a state: add to `made` where new objects stand, and note as it left them what of these it read."""
     heap, first = machine.state.heap, machine.library.first_address
+    there, registered = before.heap, entry.state.heap  # what stood there when it was registered it has not made
     made.update(
         address
-        for address, obj in heap.changed_since(before.heap)
-        if address >= first and not obj.many and obj.kind not in _ONE and before.heap.get(address) is None
+        for address, obj in heap.changed_since(there)
+        if address >= first
+        and not obj.many
+        and obj.kind not in _ONE
+        and there.get(address) is None
+        and registered.get(address) is None
     )
     entry.left = [(address, heap.get(address)) for address in entry.own]
 

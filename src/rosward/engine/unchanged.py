@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which callbacks need not run again, because nothing that they read has changed since they ran last?
 
-def on_timer(self): self.pub.publish(self.msg)     read: the node, the publisher, the message
-def on_scan(self, scan): self.last = scan          writes to the node, so that on_timer runs once more
+def on_timer(self): self.pub.publish(self.last)    read: `pub` and `last` of the node, the publisher, what `last` leads to
+def on_scan(self, scan): self.last = scan          writes `last`, so that on_timer runs once more
 
 What a callback did from the same records is in the state already. What it made itself counts as it left it: others may have changed that.
 """
