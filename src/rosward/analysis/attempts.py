@@ -20,6 +20,8 @@ from rosward.engine.remembered import depends_on_the_machine
 
 _MOST_ATTEMPTS: Final = 3
 """So often a process is followed with some haste."""
+_NOT_FOLLOWED: Final = frozenset({"RW203", "RW208"})
+"""Findings that something is done of which it is not known what: set an attribute, make a class or an entity of a node."""
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
@@ -66,7 +68,22 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         except BeginAnewError as error:  # noqa: PERF203 - twice or three times
             careful |= error.parts
         else:
-            if not found.hurried or not leaves_out(seen_of(found, library), found.log.functions.values(), library):
+            parts = _to_follow_anew(found, library)
+            if not parts:
                 return found
-            careful |= found.hurried
+            careful |= parts
     return follow(library, entry, budget, configuration, None)
+
+
+def _to_follow_anew(found: Run, library: Library) -> frozenset[str]:
+    """What was followed in haste where an entity may be missing, or one that seemed sure is not: only one of several ways leads to it."""
+    if found.relied:
+        keys = [("node", effect.address) for effect in found.log.nodes] + [found.log.key(e) for e in found.log.entities]
+        if not found.done.issuperset(keys):
+            return found.hurried | found.relied
+    if not found.hurried:
+        return found.hurried
+    missing = any(finding.code in _NOT_FOLLOWED for finding in found.log.findings)
+    if missing or leaves_out(seen_of(found, library), found.log.functions.values(), library):
+        return found.hurried
+    return frozenset()

@@ -54,6 +54,7 @@ class Run(NamedTuple):
     reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
     hurried: frozenset[str] = frozenset()  # what was followed in haste, as `BeginAnewError` has it
+    relied: frozenset[str] = frozenset()  # of that, what may decide whether something is created that seemed sure
     reads: Reads | None = None
 
 
@@ -118,6 +119,7 @@ def _to_its_end(
         frozenset(machine.trace.reached),
         frozenset(machine.trace.asked),
         machine.precision.hurried,
+        machine.precision.relied,
     )
 
 
