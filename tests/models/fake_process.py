@@ -89,7 +89,7 @@ class FakeProcess:
     def keep_end(self) -> None:
         raise NotImplementedError
 
-    def note_creation(self, *, new: bool, exact: bool) -> None:
+    def note_creation(self, *, new: bool, exact: bool, key: object = None) -> None:
         pass
 
     def note_effect(self, effect: object) -> None:

@@ -157,9 +157,9 @@ def test_a_history_comes_to_rest(function: str, most: int, tmp_path: Path, monke
     machines: list[Interpreter] = []
     note = interpreter.Interpreter.note_creation
 
-    def noted(machine: Interpreter, *, new: bool, exact: bool) -> None:
+    def noted(machine: Interpreter, *, new: bool, exact: bool, key: object = None) -> None:
         machines.append(machine)
-        note(machine, new=new, exact=exact)
+        note(machine, new=new, exact=exact, key=key)
 
     monkeypatch.setattr(interpreter.Interpreter, "note_creation", noted)
     found = published(tmp_path, EDITOR.replace("COPY", function))

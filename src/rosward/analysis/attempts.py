@@ -66,7 +66,18 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         except BeginAnewError as error:  # noqa: PERF203 - twice or three times
             careful |= error.parts
         else:
-            if not found.hurried or not leaves_out(seen_of(found, library), found.log.functions.values(), library):
+            parts = _to_follow_anew(found, library)
+            if not parts:
                 return found
-            careful |= found.hurried
+            careful |= parts
     return follow(library, entry, budget, configuration, None)
+
+
+def _to_follow_anew(found: Run, library: Library) -> frozenset[str]:
+    """What was followed in haste where an entity may be missing, or one that seemed sure is not: only one of several ways leads to it."""
+    parts = frozenset().union(*(parts for key, parts in found.relied if key not in found.done))
+    if parts or not found.hurried:
+        return parts
+    if found.hides or leaves_out(seen_of(found, library), found.log.functions.values(), library):
+        return found.hurried
+    return frozenset()

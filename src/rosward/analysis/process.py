@@ -54,6 +54,10 @@ class Run(NamedTuple):
     reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
     hurried: frozenset[str] = frozenset()  # what was followed in haste, as `BeginAnewError` has it
+    relied: tuple[
+        tuple[object, frozenset[str]], ...
+    ] = ()  # what the main body creates behind parts of that, and behind which
+    hides: bool = False  # something unknown was done in haste
     reads: Reads | None = None
 
 
@@ -118,6 +122,8 @@ def _to_its_end(
         frozenset(machine.trace.reached),
         frozenset(machine.trace.asked),
         machine.precision.hurried,
+        tuple(machine.precision.relied.items()),
+        machine.precision.hides,
     )
 
 

@@ -57,7 +57,7 @@ class Execution(Protocol):
     def note_effect(self, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""
 
-    def note_creation(self, *, new: bool, exact: bool) -> None:
+    def note_creation(self, *, new: bool, exact: bool, key: object = None) -> None:
         """Here something is created: what runs now is worth to be followed call by call. `exact`: its name and type are known."""
 
     def obj(self, ref: Ref) -> Obj:
@@ -148,14 +148,18 @@ class EffectLog:
 
     def add_node(self, machine: Execution, effect: NodeEffect) -> None:
         """Record a node."""
-        machine.note_creation(new=effect not in self.nodes, exact=_known(effect.name, effect.namespace))
+        machine.note_creation(
+            new=effect not in self.nodes, exact=_known(effect.name, effect.namespace), key=("node", effect.address)
+        )
         self.nodes[effect] = None
         self._at.setdefault(effect.address, {})[effect] = None
         self._done(machine, ("node", effect.address))
 
     def add_entity(self, machine: Execution, effect: EntityEffect) -> None:
         """Record an entity."""
-        machine.note_creation(new=effect not in self.entities, exact=_known(effect.name, effect.type))
+        machine.note_creation(
+            new=effect not in self.entities, exact=_known(effect.name, effect.type), key=self.key(effect)
+        )
         if effect not in self.entities:
             self.entities[effect] = None
             self.paths[effect] = machine.path

@@ -37,7 +37,11 @@ def each_apart(machine: Engine, alternatives: Sequence[T], action: Callable[[T],
             machine.state = before.copy()
         if frame is not None and number >= _TOLD_APART:
             frame.sequence = sequence = frame.sequence if sequence is None else sequence
-        result = action(option)
+        machine.precision.apart += 1
+        try:
+            result = action(option)
+        finally:
+            machine.precision.apart -= 1
         if result is UNBOUND:
             continue
         value = join(value, result)

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 _LONGEST_PATH: Final = 12
 
+_HIDING: Final = frozenset({"RW203", "RW208"})
+"""Findings that something is done of which it is not known what: set an attribute, make a class or an entity of a node."""
+
 
 class Answers:
     """The answers of an engine that delegates; the interpreter is one."""
@@ -235,6 +238,8 @@ class Answers:
     def report(self: Engine, code: str, message: str, causes: tuple[str, ...] = ()) -> None:
         """A finding at the current place."""
         self.log.findings.add(Finding(code, message, self.place, causes))
+        if code in _HIDING:
+            self.precision.note_unknown()
 
     def die(
         self: Engine,

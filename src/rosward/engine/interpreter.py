@@ -146,10 +146,10 @@ class Interpreter(Answers):
         else:
             self.ends = join_states(self.ends, self.state.copy(), self.fresh_version)
 
-    def note_creation(self, *, new: bool, exact: bool) -> None:
+    def note_creation(self, *, new: bool, exact: bool, key: object = None) -> None:
         """Here something is created: what runs now is followed call by call, also where precision is given up."""
         self.trace.creating.update(frame.code.key for frame in self.frames)
-        self.precision.note_creation(new=new, exact=exact and self.is_sure)
+        self.precision.note_creation(new=new, exact=exact and self.is_sure, key=key)
 
     def note_effect(self, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""

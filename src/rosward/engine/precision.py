@@ -62,6 +62,7 @@ class Precision:
         "_repeated",
         "_short",
         "_whole_limit",
+        "apart",
         "begun",
         "budget",
         "callback",
@@ -72,9 +73,12 @@ class Precision:
         "fixpoints",
         "given_up",
         "hasty",
+        "hides",
         "hurried",
         "loop_limit",
         "loops",
+        "open",
+        "relied",
         "repeated_in_callbacks",
         "rests",
         "spent",
@@ -88,6 +92,11 @@ class Precision:
         self.hasty = careful is not None  # precision is given up early where nothing is created,
         self.careful = careful or frozenset()  # but for these callbacks, and for the main body where it is among them
         self.hurried: frozenset[str] = frozenset()  # what was followed so
+        self.relied: dict[
+            object, frozenset[str]
+        ] = {}  # by what the main body creates surely, what was followed so before
+        self.hides = False  # something unknown was done in haste, which may be to create something
+        self.open = 0  # how often something was created, or a program started, that is not wholly known
         self._hasty_loops = self.hasty and MAIN_BODY not in self.careful
         self._early = False  # it was, for a loop of the main body
         # the addresses at which callbacks wrote that were followed so, and those that read what they wrote: which of the former
@@ -102,6 +111,7 @@ class Precision:
         self.deadline = Deadline(budget.seconds)
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
+        self.apart = 0  # how often one of several alternatives is being followed
         self._repeated = 0  # steps that counted and were not taken, as what they do was known
         self.begun = 0  # how many loops began
         self.given_up = 0  # how often precision was given up for a loop
@@ -164,9 +174,7 @@ class Precision:
             if self.coarse and not self._always_coarse:
                 self._heavy.add((frame.code.key, op.number))
                 self._always_coarse = self._in_callbacks  # until the callback ends
-            if self._gave_up_early():
-                self._early = True
-                self.hurried |= {MAIN_BODY}
+            self._note_haste()
             if self._whole_limit and not self._in_callbacks:
                 self.step_limit, self._whole_limit = self._whole_limit, 0
             if not self._in_callbacks:  # what follows in the main body has its part of what is left
@@ -175,19 +183,24 @@ class Precision:
             self._set_limit()
             self.coarse = self._always_coarse or self.steps > self.loop_limit
 
-    def note_creation(self, *, new: bool, exact: bool) -> None:
+    def note_creation(self, *, new: bool, exact: bool, key: object = None) -> None:
         """Something is created: what runs now is worth its steps. Raises where that comes too late.
 
-        `new`: it was not known yet; `exact`: its name and type are wholly known.
+        `new`: it was not known yet; `exact`: its name and type are wholly known, and no branch leaves open whether it is created;
+        `key`: what tells it from others.
         """
+        exact = exact and not self.apart
+        self.open += new and not exact
         if self.coarse and self._short:
             raise BeginAnewError(frozenset((self.callback,)))
-        if new and not exact and self.hasty:
+        if new and self.hasty:
             parts = frozenset() if self._in_callbacks else frozenset().union(*self.doubted.values())
             if self._early or self._gave_up_early():
                 parts |= {MAIN_BODY}
-            if parts:
+            if parts and not exact:
                 raise BeginAnewError(parts)
+            if parts and key is not None and not self._in_callbacks:
+                self.relied[key] = parts
         self._created = self.steps
         if not self.coarse:
             self._set_limit()
@@ -197,6 +210,16 @@ class Precision:
         if not self._hasty_loops or self._in_callbacks or not self.coarse:
             return False
         return self.loop_limit < min(self._coarse_limit, self._loop_begun + self.budget.loop_steps)
+
+    def note_unknown(self) -> None:
+        """Something is done of which it is not known what."""
+        self.hides = self.hides or (self.coarse and (self._short or self._gave_up_early()))
+
+    def _note_haste(self) -> None:
+        """What a loop of the main body leaves behind, or callbacks find that run within it, may depend on haste."""
+        if self._gave_up_early():
+            self._early = True
+            self.hurried |= {MAIN_BODY}
 
     def _set_limit(self) -> None:
         most = self._coarse_limit
@@ -275,6 +298,7 @@ class Precision:
     @contextmanager
     def callbacks(self) -> Iterator[None]:
         """Callbacks run within: they are in no loop of the main body, which keeps the steps that it has left."""
+        self._note_haste()
         loops, fixpoints, coarse, short = self.loops, self.fixpoints, self.coarse, self._short
         whole_limit = self._whole_limit
         limits = self.step_limit, self._coarse_limit, self.loop_limit, self._created, self._loop_begun

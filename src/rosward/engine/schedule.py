@@ -276,14 +276,14 @@ def _call(machine: Engine, entry: Scheduled) -> None:
         _run_once(machine, entry, short=False)
         _leave_between(machine)
         return
-    before, entries, made = machine.state.copy(), len(book.entries), machine.log.made
+    before, entries, made = machine.state.copy(), len(book.entries), (machine.log.made, precision.open)
     short = not entry.costly and _code_key(entry.callback) not in precision.careful
     _run_once(machine, entry, short=short)
     _leave_between(machine)
     parts = entry.doubted.union(
         *(precision.doubted[a] for a in precision.doubted.keys() & set(records_of(machine.asked_for)))
     )
-    if parts and machine.log.made != made:
+    if parts and (machine.log.made, precision.open) != made:
         raise BeginAnewError(parts)
     if short and entry.coarse:
         parts |= {_code_key(entry.callback)}

@@ -36,8 +36,18 @@ def _words(call: NativeCall, command: Value) -> list[str]:
     return found
 
 
+def _is_known(call: NativeCall, command: Value) -> bool:
+    """Whether all words of a command are known."""
+    if command.__class__ is Tuple or (command.__class__ is Ref and call.machine.obj(command).kind == "list"):
+        items = call.machine.series(command)
+        return items.exact and all(text_of(item) is not None for item in items.head)
+    return text_of(command) is not None
+
+
 def launches(call: NativeCall, command: Value) -> None:
     """Report a command that starts ROS programs or Python ones."""
+    if not _is_known(call, command):
+        call.machine.note_creation(new=True, exact=False)
     for option in options(command):
         words = _words(call, option)
         names = [w.rpartition("/")[2].strip("'\"();&|") for w in words]
