@@ -80,7 +80,8 @@ class Interpreter(Answers):
         self.ways: dict[str, dict[int, Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
         self.asked_for: set[int] = set()  # the addresses whose records were read since it was emptied last
-        self.inner: set[int] = set()  # where objects stand that belong to an attribute of another one
+        self.missed: set[int] = set()  # those of them that were asked for where nothing stood
+        self.inner: dict[int, int] = {}  # where objects stand that belong to an attribute of another one: of which
         self.attribute_names = AttributeNames()
         self.linked: object = None  # what a language with a linker keeps of its program
         self._versions = 0
@@ -213,7 +214,10 @@ class Interpreter(Answers):
     def own(self, address: int) -> Obj | None:
         """The record that this process has at an address; None where it has none."""
         self.asked_for.add(address)
-        return self.state.heap.get(address)
+        found = self.state.heap.get(address)
+        if found is None:
+            self.missed.add(address)
+        return found
 
     def put(self, address: int, obj: Obj) -> None:
         """Replace the record at an address."""
@@ -300,7 +304,7 @@ class Interpreter(Answers):
         """The object that belongs to an attribute of another one."""
         key = ("inner", owner.address, name)
         address = self.place_key(key)
-        self.inner.add(address)
+        self.inner[address] = owner.address
         if again or self.own(address) is None:
             self.place_at(key, obj)
         return Ref(address)

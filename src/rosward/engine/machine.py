@@ -105,7 +105,8 @@ class Engine(Machine, Protocol):
     noted: int
     handling: list[tuple[Value, int]]
     unheld: set[int]
-    inner: set[int]
+    inner: dict[int, int]
+    missed: set[int]
     ended_at: dict[Place, Value]
     advancing: dict[int, Running]
     ways: dict[str, dict[int, Way]]

@@ -43,6 +43,7 @@ def remembered(machine: Engine, entry: Scheduled, before: State) -> Iterator[Non
     around, outer, nodes = circumstances(machine), machine.asked_for, len(machine.log.nodes)
     unheld, made = frozenset(machine.unheld), machine.log.made
     machine.asked_for = set()
+    machine.missed.clear()
     machine.summaries.memo.clear()  # what is remembered of a call tells nothing of what the call read
     try:
         yield
@@ -58,19 +59,28 @@ def remembered(machine: Engine, entry: Scheduled, before: State) -> Iterator[Non
 def _read(machine: Engine, entry: Scheduled, before: Heap, unheld: Set[int]) -> None:
     """Note what a callback found where it looked: the records, and those of which it asked for one attribute.
 
-    What it made itself is apart: nothing was there before, or something that nothing held.
+    What it made itself is apart: nothing was there before, or something that nothing held. Unless it asked whether something is there, as who
+    makes what is made once does (a static variable, a module): the next time it finds that.
     """
     entry.read, entry.parts, entry.own = [], [], []
     first = machine.library.first_address
     for asked in machine.asked_for:
         address, name = (asked, "") if asked > FIRST else machine.attribute_names.asked(asked)
         record = before.get(address)
-        if address in unheld or (record is None and address >= first):
+        if address in unheld or (record is None and address >= first and not _looked_for(machine, before, address)):
             entry.own.append(address)
         elif asked > FIRST:
             entry.read.append((address, record))
         else:
             entry.parts.append((address, name, record))
+
+
+def _looked_for(machine: Engine, before: Heap, address: int) -> bool:
+    """Whether a callback asked for something that is made once, where nothing was. A part of what it made itself is none."""
+    if address not in machine.missed:
+        return False
+    owner = machine.inner.get(address)
+    return owner is None or owner < machine.library.first_address or before.get(owner) is not None
 
 
 def circumstances(machine: Engine) -> tuple[object, ...]:

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
 _AUTO: Final = frozenset({"placeholder_type_specifier", "auto"})
 _CLASSES: Final = frozenset({"class_specifier", "struct_specifier", "union_specifier", "enum_specifier"})
+_LASTING: Final = frozenset({"static", "thread_local"})
 
 
 def _declaration(body: Body, node: Node) -> None:
@@ -56,7 +57,7 @@ def _declaration(body: Body, node: Node) -> None:
         if node.has_error and any(child.is_error for child in node.children):
             body.unknown(node, "syntax")
         value = node.child_by_field_name("value") if declarator.type != "init_declarator" else None
-        variable(body, node, type_node, declarator, value, static="static" in words)
+        variable(body, node, type_node, declarator, value, static=not words.isdisjoint(_LASTING))
         body.free_register = body.floor
 
 
