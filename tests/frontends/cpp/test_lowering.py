@@ -87,7 +87,7 @@ def test_literals(literal: str, value: object) -> None:
     [
         ("goto inside; {inside: g();}", ["language goto"]),
         ("int n = sizeof(int);", ["language sizeof"]),
-        ("co_await g();", ["language co_await"]),
+        ("co_await g();", ["language coroutine", "language co_await", "language coroutine"]),
         ("decltype(g()) x = 1;", ["language decltype"]),
         ("auto o = a <=> b;", ["language <=>"]),
         ("asm(\"nop\");", ["language gnu_asm"]),
