@@ -20,6 +20,8 @@ from rosward.engine.remembered import depends_on_the_machine
 
 _MOST_ATTEMPTS: Final = 3
 """So often a process is followed with some haste."""
+_PATIENCE: Final = 7
+"""So many times the steps a program in C++ has before it is followed in haste: there, to follow it anew costs more than haste saves."""
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
@@ -59,6 +61,8 @@ def _run(library: Library, entry: Entry, budget: Budget, configuration: Configur
 
 def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
     """Follow a process in haste where it creates nothing; parts of it without haste, if it turns out that something depends on them."""
+    if entry.program:
+        budget = budget.patient(_PATIENCE)
     careful: frozenset[str] = frozenset()
     for _ in range(_MOST_ATTEMPTS):
         try:
