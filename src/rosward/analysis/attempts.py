@@ -20,7 +20,7 @@ from rosward.engine.remembered import depends_on_the_machine
 
 _MOST_ATTEMPTS: Final = 3
 """So often a process is followed with some haste."""
-_PATIENCE: Final = 7
+_PATIENCE: Final = 20
 """So many times the steps a program in C++ has before it is followed in haste: there, to follow it anew costs more than haste saves."""
 
 
