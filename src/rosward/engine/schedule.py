@@ -225,8 +225,7 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
     for round_ in range(machine.budget.rounds * 3):
         looked = bool(made)
         if looked:
-            gone = unheld(machine, book.entries.values(), frames)
-            machine.unheld = replaced(machine, gone)
+            gone = _look_through(machine, frames)
             made_many.mark(machine, book.entries.values(), made - gone)
             made.clear()
         start = (len(book.entries), machine.state.version)
@@ -235,8 +234,8 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
             if is_unchanged(machine, entry) or not _afford(machine, entry):
                 continue
             if not looked:
-                gone, looked = unheld(machine, book.entries.values(), frames), True
-                machine.unheld = replaced(machine, gone)
+                _look_through(machine, frames)
+                looked = True
             base = machine.state
             machine.state = base.copy()
             with remembered(machine, entry, base):
@@ -248,6 +247,13 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
             return
         machine.check_time()
     machine.report("RW201", "the callbacks did not converge; what they create later may be missing")
+
+
+def _look_through(machine: Engine, frames: Sequence[Frame]) -> set[int]:
+    """Look for what nothing holds any more: messages and variables that are made there take its place. All addresses of that kind."""
+    gone = unheld(machine, machine.schedule_book.entries.values(), frames)
+    machine.unheld = replaced(machine, gone)
+    return gone
 
 
 def _afford(machine: Engine, entry: Scheduled) -> bool:

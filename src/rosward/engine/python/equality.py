@@ -26,7 +26,7 @@ from rosward.domain.values import (
 )
 from rosward.engine.alternatives import each_apart
 from rosward.engine.python import attributes, members, specials
-from rosward.engine.python.specials import special
+from rosward.engine.python.specials import one_has, special
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
 from rosward.models.python.operators.compare import compares
@@ -220,8 +220,8 @@ def unary(machine: Engine, operator: str, value: Value) -> Value:
             return machine.unknown(Cause.OPERATION, "not", "bool")
         return FALSE if decided else TRUE
     name = f"__{_UNARY[operator]}__"
-    if value.__class__ is Choice and any(special(machine, o, name) is not None for o in value.options):
-        return each_apart(machine, value.options, lambda o: unary(machine, operator, o))
+    if one_has(machine, value, name):
+        return each_apart(machine, options(value), lambda o: unary(machine, operator, o))
     method = special(machine, value, name)
     if method is not None:
         return machine.call(method, ())
@@ -241,7 +241,7 @@ def truth(machine: Engine, value: Value) -> bool | None:
             answers.add(truth(machine, option))
             return NONE
 
-        if any(special(machine, o, n) is not None for o in value.options for n in ("__bool__", "__len__")):
+        if one_has(machine, value, "__bool__", "__len__"):
             each_apart(machine, value.options, one)
         else:
             answers.update(truth(machine, o) for o in value.options)

@@ -14,7 +14,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.engine.python import attributes, calls, classes, matching, members, metaclasses
-from rosward.engine.python.specials import special
+from rosward.engine.python.specials import one_has
 from rosward.ir import ops
 from rosward.models.native import Items
 from rosward.models.python.containers.lists import new_tuple
@@ -89,7 +89,7 @@ def load(machine: Engine, value: Value, index: Value) -> Value:
 def store(machine: Engine, target: Value, index: Value, value: Value) -> None:
     """target[index] = value."""
     several = options(target)
-    if len(several) > 1 and any(special(machine, o, "__setitem__") is not None for o in several):
+    if one_has(machine, target, "__setitem__"):
 
         def one(option: Value) -> Value:
             store(machine, option, index, value)

@@ -17,7 +17,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.python import contents
-from rosward.engine.python.specials import special
+from rosward.engine.python.specials import one_has
 from rosward.models.native import Arguments, NativeCall, NativeFunction, perform
 from rosward.models.python.containers.lists import ITERATOR, write_series
 from rosward.models.python.contents import KINDS
@@ -79,11 +79,9 @@ _ASKED: Final = {
 def _of_each(machine: Engine, native: NativeFunction, call: NativeCall) -> Value:
     """What a builtin does that asks an object: of several, it asks one."""
     method, asked = _ASKED.get(call.name), call.args[0] if call.args else NONE
-    if method is None or asked.__class__ is not Choice:
+    if method is None or not one_has(machine, asked, method):
         return perform(native, call)
-    if all(special(machine, o, method) is None for o in asked.options):
-        return perform(native, call)
-    return each_apart(machine, asked.options, lambda o: perform(native, _to(call, o)))
+    return each_apart(machine, options(asked), lambda o: perform(native, _to(call, o)))
 
 
 def _on_contents(machine: Engine, native: NativeFunction, call: NativeCall) -> Value:

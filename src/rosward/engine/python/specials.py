@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Native
-from rosward.domain.values import Class, Ref, Value
+from rosward.domain.values import Choice, Class, Ref, Value
 from rosward.engine.python import members, metaclasses
 
 if TYPE_CHECKING:
@@ -34,6 +34,11 @@ def special(machine: Engine, value: Value, name: str) -> Value | None:
             if found is not None:
                 return members.bind(machine, found, value, obj.cls)
     return None
+
+
+def one_has(machine: Engine, value: Value, *names: str) -> bool:
+    """Whether a value is one of several objects of which one has such a method: what that does, the others do not (`each_apart`)."""
+    return value.__class__ is Choice and any(special(machine, o, n) is not None for o in value.options for n in names)
 
 
 def goes_first(machine: Engine, left: Value, right: Value, name: str) -> bool:

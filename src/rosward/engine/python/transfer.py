@@ -9,10 +9,10 @@ from __future__ import annotations
 import builtins
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join
+from rosward.domain.choice import join, options
 from rosward.domain.compound import Slice
 from rosward.domain.heap import Obj
-from rosward.domain.values import NONE, UNBOUND, Choice, Const, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
@@ -27,7 +27,7 @@ from rosward.engine.python import (
     removal,
     suspending,
 )
-from rosward.engine.python.specials import special
+from rosward.engine.python.specials import one_has
 from rosward.engine.recalled_loops import recalling
 from rosward.ir import ops
 from rosward.models.python.strings.formatting import joined
@@ -116,8 +116,8 @@ def _format(machine: Engine, op: ops.Format, frame: Frame) -> None:
 
 def _formatted(machine: Engine, value: Value, conversion: str, spec: Value | None) -> Value:
     """What stands for a value in a text; of several objects with methods of their own for that, one is asked."""
-    if value.__class__ is Choice and any(special(machine, o, n) is not None for o in value.options for n in _SHOWN):
-        return each_apart(machine, value.options, lambda o: format_value(machine, o, conversion, spec))
+    if one_has(machine, value, *_SHOWN):
+        return each_apart(machine, options(value), lambda o: format_value(machine, o, conversion, spec))
     return format_value(machine, value, conversion, spec)
 
 
