@@ -121,9 +121,9 @@ def _to_its_end(
         frozenset(machine.trace.instantiated),
         frozenset(machine.trace.reached),
         frozenset(machine.trace.asked),
-        machine.precision.hurried,
-        tuple(machine.precision.relied.items()),
-        machine.precision.hides,
+        machine.precision.haste.hurried,
+        tuple(machine.precision.haste.relied.items()),
+        machine.precision.haste.hides,
     )
 
 

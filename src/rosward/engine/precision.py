@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, final
 
 from rosward.deadline import Deadline
 from rosward.engine.budget import MAIN_BODY, BeginAnewError, Budget, LimitReachedError
+from rosward.engine.haste import Haste
 from rosward.records import NamedTuple
 from rosward.rules import TIME_LIMIT
 
@@ -52,8 +53,6 @@ class Precision:
         "_begun",
         "_coarse_limit",
         "_created",
-        "_early",
-        "_hasty_loops",
         "_heads",
         "_heavy",
         "_in_callbacks",
@@ -66,19 +65,13 @@ class Precision:
         "begun",
         "budget",
         "callback",
-        "careful",
         "coarse",
         "deadline",
-        "doubted",
         "fixpoints",
         "given_up",
-        "hasty",
-        "hides",
-        "hurried",
+        "haste",
         "loop_limit",
         "loops",
-        "open",
-        "relied",
         "repeated_in_callbacks",
         "rests",
         "spent",
@@ -89,18 +82,7 @@ class Precision:
 
     def __init__(self, budget: Budget, careful: frozenset[str] | None = None) -> None:
         self.budget = budget
-        self.hasty = careful is not None  # precision is given up early where nothing is created,
-        self.careful = careful or frozenset()  # but for these callbacks, and for the main body where it is among them
-        self.hurried: frozenset[str] = frozenset()  # what was followed so
-        self.relied: dict[
-            object, frozenset[str]
-        ] = {}  # by what the main body creates surely, what was followed so before
-        self.hides = False  # something unknown was done in haste, which may be to create something
-        self.open = 0  # how often something was created, or a program started, that is not wholly known
-        self._hasty_loops = self.hasty and MAIN_BODY not in self.careful
-        self._early = False  # it was, for a loop of the main body
-        # the addresses at which callbacks wrote that were followed so, and those that read what they wrote: which of the former
-        self.doubted: dict[int, frozenset[str]] = {}
+        self.haste = Haste(careful)  # precision is given up early where nothing is created
         self.callback = ""  # the key of that which is running
         self.steps = 0
         self.step_limit = budget.steps
@@ -190,43 +172,36 @@ class Precision:
         `key`: what tells it from others.
         """
         exact = exact and not self.apart
-        self.open += new and not exact
+        self.haste.open += new and not exact
         if self.coarse and self._short:
             raise BeginAnewError(frozenset((self.callback,)))
-        if new and self.hasty:
-            parts = frozenset() if self._in_callbacks else frozenset().union(*self.doubted.values())
-            if self._early or self._gave_up_early():
-                parts |= {MAIN_BODY}
-            if parts and not exact:
-                raise BeginAnewError(parts)
-            if parts and key is not None and not self._in_callbacks:
-                self.relied[key] = parts
+        if new and self.haste.on:
+            self.haste.note_creation(key, exact=exact, in_main=not self._in_callbacks, early=self._gave_up_early())
         self._created = self.steps
         if not self.coarse:
             self._set_limit()
 
     def _gave_up_early(self) -> bool:
         """Whether precision is given up for a loop of the main body, for no other reason than that it creates nothing."""
-        if not self._hasty_loops or self._in_callbacks or not self.coarse:
+        if not self.haste.in_loops or self._in_callbacks or not self.coarse:
             return False
         return self.loop_limit < min(self._coarse_limit, self._loop_begun + self.budget.loop_steps)
 
     def note_unknown(self) -> None:
         """Something is done of which it is not known what."""
-        self.hides = self.hides or (self.coarse and (self._short or self._gave_up_early()))
+        self.haste.hides = self.haste.hides or (self.coarse and (self._short or self._gave_up_early()))
 
     def _note_haste(self) -> None:
         """What a loop of the main body leaves behind, or callbacks find that run within it, may depend on haste."""
         if self._gave_up_early():
-            self._early = True
-            self.hurried |= {MAIN_BODY}
+            self.haste.note_loop()
 
     def _set_limit(self) -> None:
         most = self._coarse_limit
         if self.loops:
             begun = self._loop_begun
             most = min(most, begun + self.budget.loop_steps)
-            if self._hasty_loops and not self._in_callbacks and not self._in_model:
+            if self.haste.in_loops and not self._in_callbacks and not self._in_model:
                 most = min(most, max(begun, self._created) + self.budget.loop_idle)
         self.loop_limit = min(most, self._created + self.budget.entry_idle) if self._short else most
 

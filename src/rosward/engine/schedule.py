@@ -275,28 +275,25 @@ def _afford(machine: Engine, entry: Scheduled) -> bool:
 
 def _call(machine: Engine, entry: Scheduled) -> None:
     """Run a callback. What it wrote in haste is doubted: where something is created of that, the process is to be followed anew."""
-    book, precision = machine.schedule_book, machine.precision
+    book, haste = machine.schedule_book, machine.precision.haste
     book.event, book.between, book.seen = entry.event, None, machine.state.version
     machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
-    if not precision.hasty:
+    if not haste.on:
         _run_once(machine, entry, short=False)
         _leave_between(machine)
         return
-    before, entries, made = machine.state.copy(), len(book.entries), (machine.log.made, precision.open)
-    short = not entry.costly and _code_key(entry.callback) not in precision.careful
+    before, entries, made = machine.state.copy(), len(book.entries), (machine.log.made, haste.open)
+    short = not entry.costly and _code_key(entry.callback) not in haste.careful
     _run_once(machine, entry, short=short)
     _leave_between(machine)
-    parts = entry.doubted.union(
-        *(precision.doubted[a] for a in precision.doubted.keys() & set(records_of(machine.asked_for)))
-    )
-    if parts and (machine.log.made, precision.open) != made:
+    parts = entry.doubted | haste.behind(records_of(machine.asked_for))
+    if parts and (machine.log.made, haste.open) != made:
         raise BeginAnewError(parts)
     if short and entry.coarse:
         parts |= {_code_key(entry.callback)}
-        precision.hurried |= parts
+        haste.hurried |= parts
     if parts:
-        for address, _ in machine.state.heap.changed_since(before.heap):
-            precision.doubted[address] = precision.doubted.get(address, parts) | parts
+        haste.doubt((address for address, _ in machine.state.heap.changed_since(before.heap)), parts)
         for each in list(book.entries.values())[entries:]:
             each.doubted = parts
 
