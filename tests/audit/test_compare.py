@@ -253,6 +253,7 @@ def test_each_change_is_told(made: dict[str, list[object]], data: st.DataObject)
     assert told(more, running(*nodes)) == [("RW503", of.fqn, "publisher /x/extra")]
 
 
+@pytest.mark.slow
 def test_hostile_patterns_are_refused_in_bounded_time() -> None:
     wild = [pub("/" + "a*" * 100 + str(n), resolution=Resolution.PATTERN, conditional=True) for n in range(500)]
     live = [pub("/" + "a" * 400 + f"b{n}") for n in range(500)]

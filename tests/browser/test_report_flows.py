@@ -21,6 +21,8 @@ from .reports import click, drawn, opened, renewed, settle, shapes, title, writt
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
+pytestmark = pytest.mark.slow
+
 FLOWS: Final = Background(loose=(), flow=True)
 LINES: Final = [f"line {number}" for number in range(1, 130)]
 

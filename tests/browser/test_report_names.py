@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+import pytest
 from outputs.networks import entity, node, pub, sub, talker_and_listener
 
 from rosward.findings import Finding
@@ -17,6 +18,8 @@ from .reports import click, opened, settle, shapes, title, written
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
+
+pytestmark = pytest.mark.slow
 
 NASTY: Final = (
     "<img src=x onerror=alert(1)>",

@@ -26,6 +26,8 @@ from .conftest import lacking
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
+pytestmark = pytest.mark.slow
+
 TALKER: Final = """\
 import rclpy
 from rclpy.node import Node

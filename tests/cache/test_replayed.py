@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from sampling import sample
 
 from cache.test_results import WORKSPACE
 from rosward.cli import main
@@ -130,7 +131,7 @@ def _add(name: str, text: str) -> None:
         file.write(text)
 
 
-@pytest.mark.parametrize("edit", EDITS.values(), ids=EDITS)
+@pytest.mark.parametrize("edit", sample(EDITS.values(), 4), ids=EDITS)
 def test_after_an_edit_it_is_as_without_a_cache(say: Callable[..., Said], edit: Callable[[], object]) -> None:
     options = ["--launch", "other:all.launch.xml", "--models", "models", "--format", "json", "-v"]
     say(*options)
@@ -140,7 +141,7 @@ def test_after_an_edit_it_is_as_without_a_cache(say: Callable[..., Said], edit: 
     assert warm == say(*options)
 
 
-@pytest.mark.parametrize("options", OPTIONS.values(), ids=OPTIONS)
+@pytest.mark.parametrize("options", sample(OPTIONS.values(), 5), ids=OPTIONS)
 def test_after_any_edits_it_is_as_without_a_cache(say: Callable[..., Said], options: list[str]) -> None:
     rng = random.Random(str(options))
     for _ in range(4):

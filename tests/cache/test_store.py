@@ -87,6 +87,7 @@ def test_it_stays_within_its_bounds(tmp_path: Path) -> None:
     assert store.kept("a", b"29", _same) is not None
 
 
+@pytest.mark.slow
 def test_it_is_looked_through_now_and_then(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """By whichever runs it is filled, and however much each writes: it never outgrows its bounds, and few runs pay for that."""
     looks: list[int] = []

@@ -15,7 +15,7 @@ import rosward
 
 from .compiled import Ran, fits_beside_others, needs_compiler, run_many, run_source
 
-pytestmark = needs_compiler
+pytestmark = [needs_compiler, pytest.mark.slow]
 
 FOLDER: Final = Path(__file__).with_name("language")
 PROGRAMS: Final = sorted(FOLDER.glob("*.cpp"))

@@ -14,6 +14,7 @@ import pytest
 from docsite.command_reference import commands_of
 from docsite.console import ELIDED, Run, agrees, perform, rewritten, runs_of, steps_of
 from docsite.pages import pages
+from sampling import sample
 
 from rosward.cli.command_line import command_line
 
@@ -34,7 +35,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyP
     shutil.rmtree(made)
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize("page", sample(PAGES, 8), ids=lambda page: page.name)
 def test_a_page_shows_what_is_printed(
     page: Path, folder: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
 ) -> None:

@@ -154,6 +154,7 @@ def test_an_editor_works_with_it(root: Path) -> None:
     run(root, work)
 
 
+@pytest.mark.slow
 def test_findings_come_and_go_with_what_is_typed(root: Path) -> None:
     async def work(editor: Editor) -> None:
         editor.open("demo/talker.py")
@@ -169,6 +170,7 @@ def test_findings_come_and_go_with_what_is_typed(root: Path) -> None:
     run(root, work)
 
 
+@pytest.mark.slow
 def test_positions_are_in_units_of_utf_16(tmp_path: Path) -> None:
     text = TALKER.replace("self.pub =", "self.a = '🐞🐞🐞'; self.pub =")
     root = write(tmp_path, {**DEMO, "demo/talker.py": text})
@@ -185,6 +187,7 @@ def test_positions_are_in_units_of_utf_16(tmp_path: Path) -> None:
     run(root, work)
 
 
+@pytest.mark.slow
 def test_folders_come_and_go(root: Path, tmp_path: Path) -> None:
     broken = write(tmp_path / "other", {"demo/talker.py": "def f(:\n"})
 
@@ -204,6 +207,7 @@ def test_folders_come_and_go(root: Path, tmp_path: Path) -> None:
     run(root, work)
 
 
+@pytest.mark.slow
 def test_a_file_that_somebody_else_saves(tmp_path: Path) -> None:
     root = write(tmp_path, DEMO)
 
@@ -219,6 +223,7 @@ def test_a_file_that_somebody_else_saves(tmp_path: Path) -> None:
     run(root, work)
 
 
+@pytest.mark.slow
 def test_nonsense_is_answered_and_the_server_stays(root: Path) -> None:
     async def work(editor: Editor) -> None:
         client = editor.client
@@ -257,6 +262,7 @@ def test_without_a_folder_there_is_nothing_to_tell(tmp_path: Path) -> None:
     run(tmp_path, work, folders=False, settle=False)
 
 
+@pytest.mark.slow
 def test_what_is_wrong_with_rosward_toml_is_logged_until_it_is_right(tmp_path: Path) -> None:
     root = write(tmp_path, {**DEMO, "rosward.toml": "no-such-key = 1\n"})
 

@@ -69,6 +69,7 @@ def test_permissions_that_are_too_large(
     assert len(document) + document.count("\n") + 2048 <= 60 * 1024
 
 
+@pytest.mark.slow
 def test_without_need_nothing_is_compacted(fleet: tuple[str, ...]) -> None:
     assert main(["extract", *fleet, "--format", "policy,permissions", "-q", "-o", "plain"]) == 0
     assert main(["extract", *fleet, "--format", "policy,permissions", "-q", "-o", "compact", "--compact"]) == 0

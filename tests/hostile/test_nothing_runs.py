@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Final
 
 import pytest
+from sampling import sample
 
 from hostile.fuzz import GOOD, GOOD_CMAKE, GOOD_LAUNCH, GOOD_MANIFEST
 from hostile.guard import Watched, harmless, watched
@@ -189,24 +190,27 @@ def test_no_canary_is_touched(tmp_path: Path, trap: tuple[Path, Path], options: 
 
 @pytest.mark.parametrize(
     "option",
-    [
-        ["--launch", "../../../etc/passwd"],
-        ["--launch", "/dev/zero"],
-        ["--launch", "good:../../x"],
-        ["--launch", "good:launch/good.launch.xml,x:=$(eval \"__import__('os').system('touch canary')\")"],
-        ["--launch", "good:launch/good.launch.xml", "--arg", "x:=$(command 'touch canary')"],
-        ["--launch", "good:launch/good.launch.xml", "--arg", ":=:=:="],
-        ["--launch", ""],
-        ["--launch", "\x1b[2J"],
-        ["--node", "../../x/y"],
-        ["--node", "good/../../x:../../y"],
-        ["--node", "good/good.py:../../../x"],
-        ["--node", "good/\x1b[2Jx\n"],
-        ["--node", "good/good.py:" + "a" * 5_000],
-        ["--node", "a" * 100_000 + "/b"],
-        ["--params", "/dev/zero"],
-        ["--params", "/dev/null"],
-    ],
+    sample(
+        [
+            ["--launch", "../../../etc/passwd"],
+            ["--launch", "/dev/zero"],
+            ["--launch", "good:../../x"],
+            ["--launch", "good:launch/good.launch.xml,x:=$(eval \"__import__('os').system('touch canary')\")"],
+            ["--launch", "good:launch/good.launch.xml", "--arg", "x:=$(command 'touch canary')"],
+            ["--launch", "good:launch/good.launch.xml", "--arg", ":=:=:="],
+            ["--launch", ""],
+            ["--launch", "\x1b[2J"],
+            ["--node", "../../x/y"],
+            ["--node", "good/../../x:../../y"],
+            ["--node", "good/good.py:../../../x"],
+            ["--node", "good/\x1b[2Jx\n"],
+            ["--node", "good/good.py:" + "a" * 5_000],
+            ["--node", "a" * 100_000 + "/b"],
+            ["--params", "/dev/zero"],
+            ["--params", "/dev/null"],
+        ],
+        4,
+    ),
 )
 def test_what_a_command_line_asks_for_is_read_or_refused(tmp_path: Path, option: list[str]) -> None:
     sound(tmp_path / "ws")

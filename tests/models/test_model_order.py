@@ -110,11 +110,13 @@ def alone() -> dict[str, object]:
     return {name: _shape(_library(()), name) for name in MODELS}
 
 
+@pytest.mark.slow
 def test_the_last_first_gives_the_same_models() -> None:
     forward, backward = _library(MODELS), _library(reversed(MODELS))
     assert [name for name in MODELS if _shape(forward, name) != _shape(backward, name)] == []
 
 
+@pytest.mark.slow
 def test_no_program_changes_a_model(tmp_path: Path) -> None:
     """The next analysis takes over the models that the one before has used."""
     cases = [c for name in ("builtin_subclasses", "classes", "functions") for c in read_cases(CASES / f"{name}.md")]
@@ -125,6 +127,7 @@ def test_no_program_changes_a_model(tmp_path: Path) -> None:
     assert [name for name in MODELS if _shape(used, name) != _shape(fresh, name)] == []
 
 
+@pytest.mark.slow
 def test_models_that_are_kept_are_those_that_are_run() -> None:
     kept = kept_models(own_models())
     assert kept is not None

@@ -11,6 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from outputs.networks import entity, node
@@ -92,6 +93,7 @@ def test_its_own_policy_has_no_difference(network: Network, unknown: UnknownName
     assert differences(network, policy_xml(network, unknown=unknown)) == []
 
 
+@pytest.mark.slow
 @given(systems(), st.sampled_from(("deny", "wildcard")))
 def test_nor_have_the_permissions(network: Network, unknown: UnknownNames) -> None:
     with tempfile.TemporaryDirectory() as folder:

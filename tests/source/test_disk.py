@@ -94,6 +94,7 @@ def _looks_past(tree: ast.Module) -> list[str]:
     return found
 
 
+@pytest.mark.slow
 def test_nobody_looks_past_it() -> None:
     """A look that is not noted would let an old result stand for new sources."""
     wrong = [

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Of many alike, some run always, and all of them with `--slow`, as in .ci/run.
+
+@pytest.mark.parametrize("seed", sample(range(16), 4))      seeds 0, 4, 8 and 12; the others with --slow
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import pytest
+
+
+def sample(values: Iterable[object], one_in: int) -> list[object]:
+    """The values, of which every `one_in`-th runs always, the first of all among them."""
+    return [value if n % one_in == 0 else pytest.param(value, marks=pytest.mark.slow) for n, value in enumerate(values)]
