@@ -169,3 +169,17 @@ def test_nothing_speaks_of_one_machine() -> None:
                 f"{name}: {m.group()}" for m in MACHINE.finditer(path.read_text(encoding="utf-8", errors="replace"))
             ]
     assert not found
+
+
+def test_the_tables_of_modules_are_complete() -> None:
+    """Where the page of the architecture has a table of the modules of a folder, it has all of them, and no others."""
+    page = text_of(DOCS / "architecture.md")
+    sections = re.findall(r"^### `([\w/]+/)`\n(.*?)(?=^##)", page, re.MULTILINE | re.DOTALL)
+    assert len(sections) > 5
+    for name, section in sections:
+        folder = (ROOT if name.startswith("tools/") else ROOT / "src/rosward") / name
+        told = {
+            one for row in re.findall(r"^\| (`[^|]*) \|", section, re.MULTILINE) for one in re.findall(r"`(\w+)`", row)
+        }
+        there = {path.stem for path in folder.glob("*.py") if path.stem != "__init__"}
+        assert told == there, name
