@@ -282,7 +282,9 @@ def _container(machine: Machine, value: Value, type_: Value, shape: Shape, depth
         inner = convert(machine, value, argument(type_, 0), "init", depth + 1)
         return new_container(machine, type_, Series((inner,)), inner)
     if not isinstance(value, Tuple):
-        return value if isinstance(value, Unknown) else unknown_from(machine, "conversion", hint_of(type_), value)
+        if isinstance(value, Unknown) or (shape is Shape.ARRAY and (isinstance(value, Pointer) or value == NONE)):
+            return value  # a parameter that is declared as an array is a pointer
+        return unknown_from(machine, "conversion", hint_of(type_), value)
     items = value.items
     if shape is Shape.PAIR:
         return _pair(machine, items, type_, depth)
