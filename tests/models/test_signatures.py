@@ -25,6 +25,7 @@ ROS = frozenset(
         "cv_bridge",
         "diagnostic_updater",
         "image_transport_py",
+        "interactive_markers",
         "message_filters",
         "nav2_simple_commander",
         "py_trees",

@@ -25,6 +25,7 @@ OWN: Final = LibraryFacts(
             ("Subscriber", "message_filters"),
             ("TransformBroadcaster", "tf2_ros"),
             ("TransformListener", "tf2_ros"),
+            ("InteractiveMarkerServer", "interactive_markers"),
             ("Updater", "diagnostic_updater"),
             ("wait_for_message", "rclpy"),
         }
