@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, final
+from typing import TYPE_CHECKING, Final, Literal, final
 
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.op import Block, Op
@@ -228,9 +228,14 @@ class MakeType(Op):
         self.inner = inner
 
 
+ELEMENT: Final = "*"
+UNDER: Final = "[]"
+
+
 @final
 class TypeOfValue(Op):
-    """dst = the type of the value at a slot: `decltype(x)`, `typeid(x)`; with `member`, that of this member of the type in `src`."""
+    """dst = the type of the value at a slot: `decltype(x)`, `typeid(x)`; with `member`, that of this member of the type in `src`, or of the elements
+    of such a container: of those that a loop runs over (ELEMENT), or that stand under an index or key (UNDER)."""
 
     __slots__ = ("dst", "member", "src")
 

@@ -20,7 +20,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, U
 from rosward.engine import declared
 from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY
-from rosward.engine.cpp import construct, members, names, unaware, visitors
+from rosward.engine.cpp import construct, guessing, members, names, unaware, visitors
 from rosward.engine.cpp.binding import bind
 from rosward.engine.cpp.categories import class_cast_to
 from rosward.engine.cpp.handing import decayed, hand_over, is_member
@@ -129,6 +129,8 @@ def _of_several(
         receiver = (several.receiver,) if several.receiver is not None and _leads(function) else ()
         return call_function(machine, function, (*receiver, *args), keywords, types)
 
+    if several.receiver is None and guessing.is_guess(machine, chosen, args):
+        return guessing.each(machine, several.name, chosen, one)
     return one(chosen[0]) if len(chosen) == 1 else each_apart(machine, list(chosen), one)
 
 

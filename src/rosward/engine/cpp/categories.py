@@ -6,7 +6,8 @@ void set(const std::string & s);  void set(std::string && s);      set(name): th
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, Literal
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final, Literal, TypeVar
 
 from rosward.domain.slots import Overloads, Slot
 from rosward.domain.values import Function, Ref, Value
@@ -21,8 +22,17 @@ from rosward.models.cpp.slots import read
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["by_category", "cast_to", "class_cast_to", "numbers_written", "of_constness", "same_parameters"]
+__all__ = [
+    "by_category",
+    "cast_to",
+    "class_cast_to",
+    "numbers_written",
+    "of_constness",
+    "same_parameters",
+    "undominated",
+]
 
+_T = TypeVar("_T")
 Category = Literal["lvalue", "constant", "rvalue"]
 _NEVER: Final = 0
 _AS_CONSTANT: Final = 1
@@ -34,13 +44,19 @@ def by_category(machine: Engine, functions: list[Function], args: tuple[Value, .
     categories = _categories(machine, args)
     if categories is None:
         return functions
-    scores = [(f, [_fits(f, n, category) for n, category in enumerate(categories)]) for f in functions]
+    scores = [(f, tuple(_fits(f, n, category) for n, category in enumerate(categories))) for f in functions]
     possible = [(f, score) for f, score in scores if _NEVER not in score] or scores
-    best = [f for f, score in possible if not any(_better(other, score) for _, other in possible)]
+    left = undominated({score for _, score in possible}, _better)
+    best = [f for f, score in possible if score in left]
     return best or [f for f, _ in possible]
 
 
-def _better(one: list[int | None], other: list[int | None]) -> bool:
+def undominated(scores: set[_T], better: Callable[[_T, _T], bool]) -> set[_T]:
+    """Those than which none is better: of forty functions nearly all fit equally well, so that there are few."""
+    return {score for score in scores if not any(better(other, score) for other in scores)}
+
+
+def _better(one: tuple[int | None, ...], other: tuple[int | None, ...]) -> bool:
     both = [(a, b) for a, b in zip(one, other, strict=True) if a is not None and b is not None]
     return any(a > b for a, b in both) and all(a >= b for a, b in both)
 

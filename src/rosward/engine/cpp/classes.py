@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 __all__ = ["bind_template", "class_of", "copies", "instance_of", "is_copied"]
 
 _DEPTH: Final = 60
+_TOLD: Final = 3
+"""So often a base is counted, with its bases."""
 _ALIASES: Final = 8
 """How many aliases of aliases are followed."""
 
@@ -177,7 +179,7 @@ def instance_of(
         info.hidden = _repeated(f.name for i in (info, *inherited) for f in i.fields)
     if len(inherited) > 1:
         info.clashing = _repeated(i.keys[f.name] for i in inherited for f in i.fields)
-        info.doubled = _doubled(machine, bases, inherited)
+        info.doubled = _doubled(machine, info, bases, inherited)
         program.clashes = program.clashes or bool(info.clashing)
     info.shares = any(f.overlaps for f in info.fields) or any(i.shares for i in inherited)
     info.keys.update((f.name, f"{f.name} of {name}" if f.name in taken else f.name) for f in info.fields)
@@ -225,12 +227,16 @@ def _repeated(names_: Iterable[str]) -> frozenset[str]:
     return frozenset(name for name, count in counted.items() if count > 1)
 
 
-def _doubled(machine: Engine, bases: tuple[Value, ...], inherited: list[Info]) -> frozenset[str]:
-    """The fields of a base that is there several times, since it is no virtual one: of these an object has several."""
-    program = linked(machine)
-    virtual = {base for i in inherited for base in i.virtual}
-    above = [cls for base in bases if isinstance(base, Class) for cls in base.mro if cls not in virtual]
-    twice = [i for cls in dict.fromkeys(above) if above.count(cls) > 1 and (i := program.info(cls)) is not None]
+def _doubled(machine: Engine, info: Info, bases: tuple[Value, ...], inherited: list[Info]) -> frozenset[str]:
+    """The fields of a base that is there several times, since it is no virtual one, nor a base of one: of these an object has several."""
+    counted: Counter[Class] = Counter()
+    waiting = [*bases]
+    while waiting:
+        cls = waiting.pop()
+        if isinstance(cls, Class) and not (cls in info.virtual and counted[cls]):
+            counted[cls] += 1
+            waiting += cls.bases if counted[cls] < _TOLD else ()
+    twice = [i for cls, count in counted.items() if count > 1 and (i := linked(machine).info(cls)) is not None]
     return frozenset(key for i in (*inherited, *twice) for key in (i.doubled if i not in twice else i.keys.values()))
 
 

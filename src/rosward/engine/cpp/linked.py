@@ -125,6 +125,7 @@ class Linked:
         "fixed",
         "found",
         "functions",
+        "guessed",
         "hiding",
         "infos",
         "instances",
@@ -162,6 +163,7 @@ class Linked:
         self.fields: dict[tuple[int, str], Value] = {}  # the types of fields, by class and the name in its objects
         self.enumerations: dict[str, bool] = {}  # which types are enumerations
         self.evaluating: set[tuple[str, int]] = set()
+        self.guessed: dict[str, Value | None] = {}  # `guessing`: by the code of functions
         self.constructing: list[
             tuple[int, Class]
         ] = []  # objects whose constructors run, with the class that they are as yet

@@ -15,7 +15,7 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.slots import Overloads, Pointer, TypeOf, is_char_text
 from rosward.domain.values import Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.engine.cpp.binding import deduce
-from rosward.engine.cpp.categories import by_category, cast_to, numbers_written, same_parameters
+from rosward.engine.cpp.categories import by_category, cast_to, numbers_written, same_parameters, undominated
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.convertible import NUMBERS, TEXTS, converts, is_convertible
 from rosward.engine.cpp.enumerations import enumeration_of
@@ -57,12 +57,12 @@ def choose(
     numbers, cast = numbers_written(machine, args), cast_to(machine, args)
     scores: list[tuple[Function, tuple[int, ...]]] = []
     for function in by_number:
-        score = _score(machine, function, values, types, numbers, cast)
-        if score is not None:
+        if (score := _score(machine, function, values, types, numbers, cast)) is not None:
             scores.append((function, score))
     if not scores:
         return by_number
-    best = _enabled(machine, [f for f, s in scores if not any(_better(other, s) for _, other in scores)], args, types)
+    left = undominated({s for _, s in scores}, _better)
+    best = _enabled(machine, [f for f, s in scores if s in left], args, types)
     best = by_category(machine, best, args) if len(best) > 1 else best
     if len(set(map(_is_template, best))) > 1:  # one takes a weak pointer, the other anything
         return [f for f in best if not f.code.is_stub] or best

@@ -180,6 +180,9 @@ def alternative(machine: Machine, value: Value, type_: Value) -> Value | None:
     """`variant.index()`: which of the types of a variant the value has; None for what is declared as none."""
     if name_of(type_) != "std.variant" or not isinstance(type_, TypeOf):
         return None
+    own = machine.obj(value).cls if isinstance(value, Ref) else None
+    if own is not None and type_.arguments.count(own) == 1:
+        return Const(type_.arguments.index(own))
     fits = [is_of_type(machine, value, each) for each in type_.arguments]
     known = fits.count(True) == 1 and None not in fits
     return Const(fits.index(True)) if known else unknown_from(machine, "index", "int", value)

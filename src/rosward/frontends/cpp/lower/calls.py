@@ -85,12 +85,16 @@ def _broken(node: Node) -> bool:
 
 
 def _binary(body: Body, node: Node, want: Want) -> int:
-    """`o.f<1>(a)` reads like a comparison."""
+    """`o.f<1>(a)` and `f<A<B>>(a)` may read like comparisons."""
     found = through_number(node)
     if found is None:
         return binary(body, node, want)
-    function, number, listed = found
-    return _method(body, node, function, listed, want, number)
+    function, argument, listed = found
+    if function.type == "field_expression":
+        return _method(body, node, function, listed, want, argument)
+    written = parts_of(function)
+    func = NO_REGISTER if written is None else of_parts(body, function, written, "value", chosen=argument)
+    return binary(body, node, want) if written is None else _invoke(body, node, func, arguments(body, listed), want)
 
 
 def _method(body: Body, node: Node, function: Node, listed: Node | None, want: Want, number: Node | None = None) -> int:

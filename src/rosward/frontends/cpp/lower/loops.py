@@ -201,7 +201,9 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
     found = body.declare(
         word(names), reference=reference, builtin=number, pointer=has(shape, POINTERS), constant=constant
     )
-    found.written = None if type_node is None or type_node.type in _AUTO else (type_node, shape)
+    is_auto = type_node is None or type_node.type in _AUTO
+    found.written = None if type_node is None or is_auto else (type_node, shape)
+    found.over = node.child_by_field_name("right") if is_auto else None
     body.write(node, found, src)
     body.free_register = body.floor
 

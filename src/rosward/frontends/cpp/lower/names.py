@@ -57,8 +57,11 @@ def _held(body: Body, node: Node, variable: Variable, want: Want) -> int:
     return dst
 
 
-def of_parts(body: Body, node: Node, written: Written, want: Want, *, designator: bool = False) -> int:
-    """What a name of several parts stands for; `designator`: of a field of a class, the field of any object."""
+def of_parts(
+    body: Body, node: Node, written: Written, want: Want, *, designator: bool = False, chosen: Node | None = None
+) -> int:
+    """What a name of several parts stands for; `designator`: of a field of a class, the field of any object; `chosen`: the argument of
+    the template that it names, where that is not among the parts."""
     base = NO_REGISTER
     rest = written.parts
     absolute = written.absolute
@@ -80,6 +83,8 @@ def of_parts(body: Body, node: Node, written: Written, want: Want, *, designator
     parts = tuple(
         Part(text, None if arguments is None else template_arguments(body, arguments)) for text, arguments in rest
     )
+    if chosen is not None:
+        parts = (*parts[:-1], Part(parts[-1].name, (body.value(chosen),)))
     return _looked_up(body, node, parts, base, absolute, want, designator=designator)
 
 

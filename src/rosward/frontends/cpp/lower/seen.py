@@ -7,6 +7,7 @@ void start(Base & b) { b.name(); }       the `name` of Base, where that is not v
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body
@@ -14,13 +15,19 @@ from rosward.frontends.cpp.lower.names import Written, of_parts
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, declared_type, has, type_of
 from rosward.ir.core import NO_REGISTER
-from rosward.ir.cpp import Copy, Declared
+from rosward.ir.cpp import Copy, Declared, TypeOfValue
+from rosward.ir.cpp_names import ELEMENT, UNDER
 from rosward.ir.op import Block
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 _DEPTH: Final = 20
+_ONE_OF: Final = frozenset({"at", "back", "front"})
+_PLAIN: Final = re.compile(
+    r"(?:const\s+)?std::\w+<\s*(?:const\s+)?(?:std::(?:string|\w+_t)|rclcpp\w*::[\w:]*|bool|char|double|float|int|long|u?int\d+_t)\b[^,]*\Z"
+)
+"""Containers of which the elements hide nothing."""
 _LIBRARIES: Final = (b"std::string", b"std::vector", b"std::map", b"rclcpp::", b"rclcpp_")
 """How types begin in which nothing is hidden."""
 
@@ -37,18 +44,54 @@ def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Blo
             found = type_of(body, cast)
 
         return body.block(of_cast), found
-    if node is None or node.type != "identifier":
+    if node is None:
         return [], NO_REGISTER
+    if node.type != "identifier":
+        return _part(body, node, place)
     variable = body.variable(word(node))
     if variable is None:
-        if not body.has_this:
-            return [], NO_REGISTER
-        dst = body.register()
-        return [Declared(*place, dst, word(node))], dst
+        return _of_own(body, node, place)
+    if variable.over is not None:
+        return _element(body, variable.over, place, ELEMENT)
     written = variable.written
     if written is None or variable.raw or (written[0].text or b"").startswith(_LIBRARIES):
         return [], NO_REGISTER
     return _written(body, written)
+
+
+def _of_own(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]:
+    """The type of a field of `this`."""
+    if not body.has_this:
+        return [], NO_REGISTER
+    dst = body.register()
+    return [Declared(*place, dst, word(node))], dst
+
+
+def _part(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]:
+    """The type of `v[0]`, `v.front()`: of an element of what has a name."""
+    if node.type == "subscript_expression":
+        return _element(body, node.child_by_field_name("argument"), place, UNDER)
+    function = node.child_by_field_name("function") if node.type == "call_expression" else None
+    if function is not None and function.type == "field_expression" and word(function.children[-1]) in _ONE_OF:
+        return _element(body, function.child_by_field_name("argument"), place, UNDER)
+    return [], NO_REGISTER
+
+
+def _element(body: Body, node: Node | None, place: tuple[int, int], which: str) -> tuple[Block, int]:
+    """The type of the elements of a container that is a variable or a field."""
+    if node is None or node.type != "identifier":
+        return [], NO_REGISTER
+    variable = body.variable(word(node))
+    if variable is None:
+        block, whole = _of_own(body, node, place)
+    elif variable.written is None or variable.raw or _PLAIN.match((variable.written[0].text or b"").decode()):
+        return [], NO_REGISTER
+    else:
+        block, whole = _written(body, variable.written)
+    if whole == NO_REGISTER:
+        return [], NO_REGISTER
+    dst = body.register()
+    return [*block, TypeOfValue(*place, dst, whole, which)], dst
 
 
 def _written(body: Body, written: tuple[Node, Node | None]) -> tuple[Block, int]:
@@ -117,6 +160,16 @@ def seen_scope(body: Body, field: Node, node: Node | None, written: Written | No
     return _written(body, variable.written) if leads else ([], NO_REGISTER)
 
 
+def _is_name(body: Body, node: Node) -> bool:
+    """Whether a pointer is called by its name, and no element of something."""
+    plain = _plain(node)
+    variable = body.variable(word(plain)) if plain is not None and plain.type == "identifier" else None
+    return plain is not None and plain.type not in _PARTS and (variable is None or variable.over is None)
+
+
+_PARTS: Final = frozenset({"subscript_expression", "field_expression"})
+
+
 def led_to(body: Body, node: Node | None) -> tuple[Block, int]:
     """The same for what is assigned to: `r = b`, `*p = b`, `o.x = b`."""
     plain = _plain(node)
@@ -181,7 +234,7 @@ def is_constant(body: Body, node: Node | None, *, through: bool = False) -> bool
 
 def own(body: Body, value: Node) -> int:
     """A value for a variable of its own; of a reference, or what a pointer leads to, as one of the type that this is declared with."""
-    if value.type == "pointer_expression" and value.children[0].type == "*":
+    if value.type == "pointer_expression" and value.children[0].type == "*" and _is_name(body, value):
         block, static = declared(body, value, body.place(value))
         if static != NO_REGISTER:
             src = body.slot(value)

@@ -108,18 +108,23 @@ def is_apart(node: Node) -> bool:
 
 
 _CONSTANTS: Final = frozenset({"number_literal", "char_literal", "true", "false"})
+_FUNCTIONS: Final = frozenset({"identifier", "qualified_identifier", "field_expression"})
 
 
 def through_number(node: Node) -> tuple[Node, Node, Node] | None:
-    """The member, the argument of its template and what is given of `o.f<1>(a)`, which the parser reads as `(o.f < 1) > (a)`."""
+    """The function, the argument of its template and what is given, where the parser reads a comparison: of `o.f<1>(a)` it makes
+    `(o.f < 1) > (a)`, of `make<Pair<A, a::B, A>>(a)` sometimes `(make < Pair<A, a::B, A>) > (a)`."""
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
     if node.type != "binary_expression" or left is None or right is None or left.type != "binary_expression":
         return None
-    function, number = left.child_by_field_name("left"), left.child_by_field_name("right")
-    if function is None or number is None or function.type != "field_expression" or number.type not in _CONSTANTS:
+    function, argument = left.child_by_field_name("left"), left.child_by_field_name("right")
+    if function is None or argument is None:
         return None
+    fits = (function.type == "field_expression" and argument.type in _CONSTANTS) or (
+        function.type in _FUNCTIONS and argument.type == "template_function"  # a function is not compared
+    )
     is_call = right.type == "parenthesized_expression" and operator_of(node) == ">" and operator_of(left) == "<"
-    return (function, number, right) if is_call else None
+    return (function, argument, right) if fits and is_call else None
 
 
 def _leave(lambdas: list[tuple[Node, dict[str, None]]], placed: set[str]) -> None:
@@ -150,7 +155,9 @@ def _placed(node: Node, kind: str) -> Iterator[str]:
         operator = node.child_by_field_name("operator")
         yield from named(node.child_by_field_name("left") if through_member(node) is not None else None)
         numbered = through_number(node)
-        yield from _receiver(numbered[0] if numbered is not None else None)
+        if numbered is not None:
+            yield from _receiver(numbered[0])
+            yield from _given(numbered[2])
         if operator is not None and operator.type in {">>", "<<"}:
             yield from named(node.child_by_field_name("left"))
             if operator.type == ">>":
@@ -198,6 +205,17 @@ def _receiver(function: Node | None) -> Iterator[str]:
         operator = function.child_by_field_name("operator")
         if operator is not None and operator.type != "->":
             yield from named(function.child_by_field_name("argument"))
+
+
+def _given(node: Node) -> Iterator[str]:
+    """The variables that stand alone among arguments that read like brackets of an expression."""
+    waiting = [*node.named_children]
+    while waiting:
+        here = waiting.pop()
+        if here.type == "comma_expression":
+            waiting += here.named_children
+        else:
+            yield from named(here)
 
 
 def _vexing(node: Node) -> Iterator[str]:
