@@ -64,7 +64,6 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
     if entry.program:
         budget = budget.patient(_PATIENCE)
 
-
     def judge(found: Run) -> None:
         parts = _to_follow_anew(found, library)
         if parts:
