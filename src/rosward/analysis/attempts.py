@@ -63,17 +63,18 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
     """Follow a process in haste where it creates nothing; parts of it without haste, if it turns out that something depends on them."""
     if entry.program:
         budget = budget.patient(_PATIENCE)
+
+    def judge(found: Run) -> None:
+        parts = _to_follow_anew(found, library)
+        if parts:
+            raise BeginAnewError(parts)
+
     careful: frozenset[str] = frozenset()
     for _ in range(_MOST_ATTEMPTS):
         try:
-            found = follow(library, entry, budget, configuration, careful)
+            return follow(library, entry, budget, configuration, careful, judge)
         except BeginAnewError as error:  # noqa: PERF203 - twice or three times
             careful |= error.parts
-        else:
-            parts = _to_follow_anew(found, library)
-            if not parts:
-                return found
-            careful |= parts
     return follow(library, entry, budget, configuration, None)
 
 

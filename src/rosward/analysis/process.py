@@ -32,6 +32,8 @@ from rosward.records import NamedTuple, dataclass
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from rosward.engine.watch import Watch
 
 
@@ -62,23 +64,37 @@ class Run(NamedTuple):
 
 
 def follow(
-    library: Library, entry: Entry, budget: Budget, configuration: Configuration | None, careful: frozenset[str] | None
+    library: Library,
+    entry: Entry,
+    budget: Budget,
+    configuration: Configuration | None,
+    careful: frozenset[str] | None,
+    judge: Callable[[Run], None] | None = None,
 ) -> Run:
-    """Interpret a process to its end. `careful`: what is not to be followed in haste, as `BeginAnewError` tells it; None: nothing is."""
+    """Interpret a process to its end. `careful`: what is not to be followed in haste, as `BeginAnewError` tells it; None: nothing is.
+
+    `judge` raises that error where the process is to be followed anew, before anything is found out of how information flows through it.
+    """
     watch = _watch() if budget.flow else None
     machine = Interpreter(library, budget, EffectLog(configuration), watch, careful)
     try:
-        return _to_its_end(machine, watch, entry, budget, configuration)
+        imported = _Imported()
+        found = _to_its_end(machine, imported, entry, budget, configuration)
+        if judge is not None:
+            judge(found)
+        if watch is not None:
+            found.log.flows = _flows(machine, watch, entry, net=budget.net)
+        found.log.leave_out(imported.nodes, imported.entities)
+        return found
     finally:
         if watch is not None:
             watch.close()
 
 
 def _to_its_end(
-    machine: Interpreter, watch: Watch | None, entry: Entry, budget: Budget, configuration: Configuration | None
+    machine: Interpreter, imported: _Imported, entry: Entry, budget: Budget, configuration: Configuration | None
 ) -> Run:
     log = machine.log
-    imported = _Imported()
     try:
         if entry.program:
             _start_linked(machine, entry, configuration)
@@ -111,8 +127,6 @@ def _to_its_end(
         log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not analysed", Place(entry.file)))
     except Exception as error:
         log.findings.add(_failed(entry, error, "some callbacks were not analysed", net=budget.net))
-    log.flows = None if watch is None else _flows(machine, watch, entry, net=budget.net)
-    log.leave_out(imported.nodes, imported.entities)
     return Run(
         entry,
         log,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rosward.flow import cpp_calls, implicit
 from rosward.flow.body import Attempt, Body, Point, joined
-from rosward.flow.calls import run_callees
+from rosward.flow.calls import run_callees, run_to_the_end
 from rosward.flow.content import TooLongError
 from rosward.flow.marks import HANDLED, NOTHING, Mark, demoted
 from rosward.flow.reading import elements, narrowed, opaque
@@ -142,20 +142,24 @@ def loop(walker: Walker, op: ops.While, body: Body, seen: Seen) -> bool:
 def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
     """The same over elements."""
     iterable = body.registers[op.iterable]
+    said = 0  # by methods of the program, of how many elements there are
 
     def begin() -> bool:
+        nonlocal said
         _interleave(walker)
         item = elements(walker, iterable)
-        given = run_callees(walker, op, body, seen)
+        given, said = run_to_the_end(walker, op, body, seen)
         item = item if given is None else item.joined(implicit.gone_through(walker, given))
         if seen.refs:  # C++: the interpretation has seen which
             item = Mark(item.mask, frozenset(seen.refs) | opaque(item))
+        if given is not None:
+            said |= walker.memory.size(given.roots)  # once a generator among them has run
         body.registers[op.item] = item.under(body.pc)
         walker.wrote(body, (op.item,))
         return True
 
     def test() -> int:
-        return demoted(iterable.mask | walker.memory.size(iterable.roots))
+        return demoted(iterable.mask | walker.memory.size(iterable.roots) | said)
 
     return _turns(walker, op, body, begin, test, op.item)
 

@@ -20,7 +20,7 @@ from rosward.engine.arguments import MAYBE
 from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import Activation, Seen, refs_of
 from rosward.flow import implicit, library, natives
-from rosward.flow.body import Body
+from rosward.flow.body import Attempt, Body, Point
 from rosward.flow.bound import NO_SPREAD, Spread, all_bound, handed
 from rosward.flow.constructed import construct
 from rosward.flow.content import Content
@@ -103,6 +103,29 @@ def run_callees(
         if key not in called_here and (not names or activations[0].code.name in names):
             ways += [partial(resume, walker, op, body, a, inside) for a in activations]
     return either(result, each_way(walker, ways))
+
+
+_ENDING: Final = frozenset(("__next__", "__getitem__", "__anext__"))
+"""Methods that end a loop by an exception."""
+
+
+def run_to_the_end(walker: Walker, op: ops.Op, body: Body, seen: Seen, pc: int = 0) -> tuple[Mark | None, int]:
+    """The same where methods may give elements, or what gives them: what they return, and what decides that there is a further one."""
+    if not any(a.code.name in _ENDING for a in seen.callees):
+        given = run_callees(walker, op, body, seen, pc=pc)
+        return given, 0 if given is None else given.mask
+    tried = Attempt(body, Point(body.registers, walker.memory))
+    walker.attempts.append(tried)
+    try:
+        given = run_callees(walker, op, body, seen, pc=pc)
+    finally:
+        walker.attempts.pop()
+        tried.end(walker.memory)
+    if walker.attempts:
+        walker.attempts[-1].contains(tried)
+    if tried.raised is not NOTHING:  # what was written before it ended stands there behind it
+        walker.memory.join(tried.point.memory)
+    return given, tried.mask
 
 
 def _performed(walker: Walker, op: ops.Op, body: Body, seen: Seen, spread: Spread) -> Mark:
@@ -188,14 +211,14 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         for root in seen.refs:
             memory.place(root, Content())
     construct(walker, op, body, seen, marks)
-    given = run_callees(walker, op, body, seen, pc=pc)
+    given, ended = run_to_the_end(walker, op, body, seen, pc)
     if given is not None and site.calls_back and (more := memory.deep(given) & ~_deep(walker, marks)):
         # What one function gave may be handed on to another.
         given = either(given, run_callees(walker, op, body, seen, pc=pc, others=Mark(more))) or given
     result = NOTHING if given is None else given
     for callee in site.callees:
         if is_native(callee):
-            passed = implicit.with_elements(seen, marks, given)
+            passed = implicit.with_elements(seen, marks, given, demoted(ended))
             computed = natives.apply(walker, op, body, seen, callee, passed)
             result = result.joined(computed)
             if walker.attempts and may_fail(op, seen):

@@ -177,8 +177,10 @@ def _keys(call: NativeCall, mark: Mark) -> int:
 
 
 def _deep_copy(call: NativeCall) -> Mark:
-    """A new object with the same content that shares nothing."""
+    """A new object with the same content that shares nothing; a dict that is given along holds all that was copied, and its copies."""
     memory, owner = call.walker.memory, call.mark(0)
+    for memo in call.marks[1:]:
+        memory.write_any(memo.roots, Mark(memory.deep(owner) | call.pc, owner.roots), memory.deep(owner) | call.pc)
     several = [memory.of(r) for r in owner.roots]
     under = owner.mask | call.pc
     if len(several) == 1 and not any(True for r in owner.roots if isinstance(r, int) for _ in memory.shape.parts(r)):

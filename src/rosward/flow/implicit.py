@@ -89,6 +89,8 @@ def given_by(walker: Walker, marks: Iterable[Mark], *, unseen: bool = False) -> 
     mask, everything, writes = 0, None, False
     marks = tuple(marks)
     for mark in marks:
+        if not mark.roots:
+            continue
         for cls in _classes(walker, walker.memory.reached(mark)):
             if unseen:
                 mask |= walker.memory.of(("followed", cls)).whole.mask
@@ -134,8 +136,8 @@ def made_of(walker: Walker, seen: Seen, given: Mark) -> Mark:
     return gone_through(walker, given) if any(a.code.name in ELEMENTS for a in seen.callees) else given
 
 
-def with_elements(seen: Seen, marks: list[Mark], given: Mark | None) -> list[Mark]:
-    """The arguments of a native, objects with what their methods gave it as their elements."""
+def with_elements(seen: Seen, marks: list[Mark], given: Mark | None, ended: int) -> list[Mark]:
+    """The arguments of a native, objects with what their methods gave it as their elements; `ended`: what decides how many these are."""
     if given is None or not any(a.code.name in ELEMENTS for a in seen.callees):
         return marks
-    return [mark.joined(given) if mark.roots else mark for mark in marks]
+    return [mark.joined(given).under(ended) if mark.roots else mark for mark in marks]

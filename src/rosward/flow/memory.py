@@ -17,7 +17,7 @@ from rosward.flow.marks import FUNCTIONS, Mark, Root, is_slot, part_of, slot_of
 from rosward.flow.remembered import Written
 from rosward.flow.shape import Shape
 from rosward.flow.standing import Standing
-from rosward.flow.store import Covered, Differing
+from rosward.flow.store import MASK, SHIFT, Covered, Differing
 from rosward.flow.tracker import KeySets, Tracker, differing
 
 
@@ -131,7 +131,13 @@ class Memory(Standing):
 
     def finds(self, tracker: Tracker) -> bool:
         """Whether what a walk read stands here as it did."""
+        of, pages = self._of, self._pages
         for root, keys, then in tracker.was_read():
+            number = of.get(root)  # `now`, without the call: of most, the same thing stands there
+            if number is not None and (page := pages.get(number >> SHIFT)) is not None:
+                here = page[number & MASK]
+                if here is then:
+                    continue
             here = self.now(root)
             if here is then:
                 continue

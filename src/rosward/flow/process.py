@@ -70,7 +70,10 @@ class Table(dict[type[ops.Op], Handler]):
 
 
 def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
-    """Walk through a process that was interpreted while somebody watched."""
+    """Walk through a process that was interpreted while somebody watched; not where it has no node, of which something could be told."""
+    machine.log.findings.update(wrong_marks(machine))
+    if not machine.log.nodes:
+        return ProcessFlows()
     both = {**straight.TABLE, **blocks.TABLE}
     tables = {PYTHON: Table(both), CPP: Table({**both, **cpp.TABLE})}
     steps = machine.precision.steps
@@ -96,7 +99,6 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
         flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control), assumed, calls))
     callbacks = callbacks_of(walker, machine.schedule_book.entries.values(), _node)
     walker.close()
-    machine.log.findings.update(wrong_marks(machine))
     return ProcessFlows(tuple(flows), complete, callbacks)
 
 

@@ -261,8 +261,8 @@ class Standing(Store):
     def _look_on(self, looked: Looked, work: set[Root]) -> None:
         """What these lead to is looked through, too. What is known of some of them is taken over."""
         mask, seen, further = 0, looked.objects, looked.further
-        numbers, pages, inner = self.numbers, self._pages, self.shape.inner
-        canonical, of, merged, nodes = numbers.canonical, self._of, numbers.merged, self.shape.nodes
+        numbers, pages, shape = self.numbers, self._pages, self.shape
+        canonical, of, merged, nodes, inner = numbers.canonical, self._of, numbers.merged, shape.nodes, shape.inner
         known: set[int] = set()
         found: Layer = {}
         earlier: list[frozenset[Root]] | None = None  # what others have found that is of use here
@@ -297,12 +297,16 @@ class Standing(Store):
                         further[other] = self.now(other)
                     content = self.now(root)
                 seen[root] = found[root] = content
-                whole = content.whole
+                whole = content.known or content.whole
                 mask |= whole.mask | content.size
-                if whole.roots and id(whole.roots) not in known:  # many objects share what they lead to
-                    known.add(id(whole.roots))
-                    more |= canonical(whole.roots) - nodes
-                more.update(self._holds(root))
+                roots = whole.roots
+                if roots and id(roots) not in known:  # many objects share what they lead to
+                    known.add(id(roots))
+                    more |= (canonical(roots) if merged else roots) - nodes
+                if number in merged:
+                    more.update(numbers.led[number])
+                elif root.__class__ is int and (held := shape.held(root)):
+                    more.update(held)
             several = len(found) - before  # of those that are one, each costs less
             self.shape.spent += several + ((len(work) - several) >> 1)
             if len(seen) > _MOST:
@@ -357,8 +361,10 @@ class Standing(Store):
     def reached(self, mark: Mark) -> Collection[Root]:
         """The objects that a value leads to, but for nodes that it does not lead to at once; of those that are merged, one."""
         roots = mark.roots
+        if not roots:
+            return ()
         if not self.numbers.merged or not self.shape.merges_objects:
-            return self._through(roots).objects if roots else ()
+            return self._through(roots).objects
         canonical, of, merged, nodes = self.numbers.canonical, self._of, self.numbers.merged, self.shape.nodes
         found: dict[object, Root] = {}
         known = {id(roots)}

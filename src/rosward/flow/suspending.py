@@ -23,13 +23,16 @@ if TYPE_CHECKING:
 
 
 def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
-    value = body.registers[op.src].under(body.pc)
+    value, size = body.registers[op.src].under(body.pc), body.pc  # of how often it gives something
     if op.many:
+        size |= value.mask | walker.memory.size(value.roots)
         value = elements(walker, value).under(body.pc)
         given = run_callees(walker, op, body, seen)
-        value = value if given is None else value.joined(implicit.gone_through(walker, given))
+        if given is not None:
+            value = value.joined(implicit.gone_through(walker, given))
+            size |= given.mask | walker.memory.size(given.roots)
     key = body.activation.code.key
-    walker.memory.write_any([("generator", key)], value)
+    walker.memory.write_any([("generator", key)], value, size)
     thrown = walker.memory.of(("thrown", key)).any
     if walker.attempts and thrown != NOTHING:
         walker.attempts[-1].raises(thrown, walker.memory.deep(thrown))

@@ -44,9 +44,10 @@ class Trail:
 
     def __init__(self, where: Callable[[], Place]) -> None:
         self.event: object = None
+        self.had = 0  # what was met in it
         self._where = where
         self.begins: dict[object, Place] = {}
-        self._had: dict[object, int] = {}
+        self._had: dict[object, int] = {}  # the same of those that ran before
         self._first: dict[tuple[object, int], _Met] = {}
         self._kept: dict[int, list[tuple[object, _Met]]] = {}
         self._sent: dict[Sink, dict[object, int]] = {}
@@ -56,17 +57,18 @@ class Trail:
 
     def begin(self, event: object, place: Place | None) -> None:
         """A callback begins, at the first line of its code."""
-        self.event = event
+        self._had[self.event] = self.had
+        self.event, self.had = event, self._had.get(event, 0)
         if place is not None:
             self.begins.setdefault(event, place)
 
     def meet(self, mask: int, key: object) -> None:
         """These sources are met here."""
-        had = self._had.get(self.event, 0)
-        if mask & ~had:
-            self._had[self.event] = had | mask
+        new = mask & ~self.had
+        if new:
+            self.had |= mask
             place = self._where()
-            for number in numbers(mask & ~had):
+            for number in numbers(new):
                 self._first.setdefault((self.event, number), _Met(place, key))
 
     def keep(self, mask: int, key: object) -> None:

@@ -97,29 +97,29 @@ class Walker:
     def run(self, block: ops.Block, body: Body) -> bool:
         """Walk through a block; False where control does not come out at its end."""
         activation = body.activation
-        table, shape, seen = self.tables[activation.code.language], self.shape, activation.seen
+        table, shape, seen, trail = self.tables[activation.code.language], self.shape, activation.seen, self.trail
+        attempts = self.attempts
         for op in block:
             known = seen.get(op.number)
             if known is None:
                 return False
-            shape.spent += 1
-            body.at = op
+            body.at, shape.spent = op, shape.spent + 1
             if shape.spent > self._most:
                 raise TooLongError
-            if self.attempts:
+            if attempts:
                 self._attempted(op, body, known)
-            if table[op.__class__](self, op, body, known) is False:
+            cls = op.__class__
+            if table[cls](self, op, body, known) is False:
                 return False
-            if op.__class__ in _READING:
-                mark = body.registers[op.dst]  # type: ignore[attr-defined]  # all of them have one
-                mask = mark.mask | self.memory.base(mark.roots)
-                if mask:
-                    self.trail.meet(mask, op.name if op.__class__ is ops.LoadAttr else "")
-            if not known.alive and op.__class__ not in STRUCTURED:
+            if cls in _READING:
+                mask, roots = body.registers[op.dst]  # type: ignore[attr-defined]  # all of them have one
+                mask |= self.memory.base(roots) if roots else 0
+                if mask & ~trail.had:
+                    trail.meet(mask, getattr(op, "name", "") if cls is ops.LoadAttr else "")
+            if not known.alive and cls not in STRUCTURED:
                 return False
-            if self.attempts:
-                structured = op.__class__ in STRUCTURED
-                self.wrote(body, range(len(activation.code.variables)) if structured else writes(op))
+            if attempts:
+                self.wrote(body, range(len(activation.code.variables)) if cls in STRUCTURED else writes(op))
         return True
 
     def close(self) -> None:
