@@ -67,6 +67,8 @@ def follow(
     """Interpret a process to its end. `careful`: what is not to be followed in haste, as `BeginAnewError` tells it; None: nothing is."""
     watch = _watch() if budget.flow else None
     machine = Interpreter(library, budget, EffectLog(configuration), watch, careful)
+    # Nobody knows who lets a class work; programs in C++ are taken to have several threads, as containers of components may.
+    machine.schedule_book.parallel = bool(entry.classes or entry.program)
     try:
         return _to_its_end(machine, watch, entry, budget, configuration)
     finally:

@@ -28,7 +28,7 @@ def is_model(function: Function) -> bool:
     return function.code.is_model
 
 
-_HARMLESS: Final = (Const("sends"), Const("pure"), Const("waits"))
+_HARMLESS: Final = (Const("sends"), Const("pure"), Const("suspends"), Const("waits"))
 
 
 def may_raise(machine: Engine, function: Function, registers: list[Value]) -> bool:
