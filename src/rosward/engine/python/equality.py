@@ -30,6 +30,7 @@ from rosward.engine.python.specials import one_has, special
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
 from rosward.models.python.operators.compare import compares
+from rosward.models.ros.interfaces import same_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -193,7 +194,9 @@ def _same(machine: Engine, left: Value, right: Value) -> bool | None:
             return None if machine.obj(left).many else True
         return False
     if left.__class__ in (Unknown, External, Choice) or right.__class__ in (Unknown, External, Choice):
-        return True if left.__class__ is External and left == right else None
+        if left.__class__ is not External:
+            return None
+        return True if left == right else same_interface(machine, left, right)
     if left.__class__ is Const and right.__class__ is Const:
         if not (_settled(left) and _settled(right)):
             return None

@@ -30,6 +30,7 @@ from rosward.models.python.builtins.attributes import has_attribute, of_python
 from rosward.models.python.containers.lists import ITERATOR, VIEW
 from rosward.models.python.plain import LOOSE_HINTS
 from rosward.models.python.std.annotations import WRITTEN_IN
+from rosward.models.ros.interfaces import same_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -139,6 +140,8 @@ def _is_subclass(machine: Engine, cls: Value, wanted: Value) -> bool | None:
         return True
     if wanted.__class__ is Native and cls.__class__ is Native:
         return _of_python(cls.name, _python_class(wanted.name))
+    if cls.__class__ is External and wanted.__class__ is External:
+        return same_interface(machine, cls, wanted)
     if cls.__class__ not in (Native, Class) or wanted.__class__ not in (Native, Class):
         return None
     if wanted.__class__ is Class:
