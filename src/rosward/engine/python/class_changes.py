@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def change_class(machine: Engine, ref: Ref, cls: Value, *, weak: bool) -> None:
     """`object.__class__ = cls`."""
     obj = machine.obj(ref)
-    classes = [option for option in options(cls) if option.__class__ is Class]
+    classes = [option for option in options(cls) if isinstance(option, Class)]
     machine.trace.instantiated.update(option.place for option in classes)
     if not (weak or obj.many) and classes == [cls] and machine.is_sure and not machine.precision.apart:
         attrs = {name: value for name, value in obj.attrs.items() if name != CLASSES}
@@ -36,7 +36,7 @@ def change_class(machine: Engine, ref: Ref, cls: Value, *, weak: bool) -> None:
             _give_methods(machine, ref, option)
 
 
-def _give_methods(machine: Engine, ref: Ref, cls: Value) -> None:
+def _give_methods(machine: Engine, ref: Ref, cls: Class) -> None:
     """What the object has of either class, as attributes of its own: they go before what its class has."""
     obj = machine.obj(ref)
     for name in dict.fromkeys(

@@ -194,9 +194,10 @@ def _same(machine: Engine, left: Value, right: Value) -> bool | None:
             return None if machine.obj(left).many else True
         return False
     if left.__class__ in (Unknown, External, Choice) or right.__class__ in (Unknown, External, Choice):
-        if left.__class__ is not External:
-            return None
-        return True if left == right else same_interface(machine, left, right)
+        if left.__class__ is External and right.__class__ is External:
+            return True if left == right else same_interface(machine, left, right)
+        external, other = (left, right) if left.__class__ is External else (right, left)
+        return False if external.__class__ is External and _is_private(machine, other) else None
     if left.__class__ is Const and right.__class__ is Const:
         if not (_settled(left) and _settled(right)):
             return None
@@ -206,6 +207,16 @@ def _same(machine: Engine, left: Value, right: Value) -> bool | None:
     if left.__class__ is not right.__class__:
         return False
     return True if left == right else (None if left.__class__ not in (Class, Function, Native) else False)
+
+
+_OBJECT: Final = Native("builtins.object")
+
+
+def _is_private(machine: Engine, value: Value) -> bool:
+    """Whether a value is an `object()` by which a model tells that there is nothing: no library has it."""
+    return (
+        value.__class__ is Ref and value.address < machine.library.first_address and machine.obj(value).cls == _OBJECT
+    )
 
 
 def _identity(machine: Engine, operator: str, left: Value, right: Value) -> Value:
