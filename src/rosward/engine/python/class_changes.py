@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING
 from rosward.domain.choice import join, options
 from rosward.domain.compound import Descriptor
 from rosward.domain.heap import CLASSES
-from rosward.domain.values import Class, Function, Ref, Value
+from rosward.domain.unknown import Cause
+from rosward.domain.values import Class, Ref, Value
+from rosward.engine.escape import BY_PYTHON
 from rosward.engine.python import members
 
 if TYPE_CHECKING:
@@ -29,7 +31,7 @@ def change_class(machine: Engine, ref: Ref, cls: Value, *, weak: bool) -> None:
         return
     if len(classes) == 1 and classes[0] == obj.cls and classes == [cls]:
         return
-    said = "its methods are those of either, its properties those of the class that it had"
+    said = "its methods are those of either, what its properties give is not known"
     machine.report("RW203", f"an object may be given another class: {said}")
     if obj.cls.__class__ is Class:
         for option in classes:
@@ -47,7 +49,14 @@ def _give_methods(machine: Engine, ref: Ref, cls: Class) -> None:
         if not n.startswith("__")
     ):
         before, after = (members.lookup(machine, c, name) for c in (obj.cls, cls))
-        if after is None or after == before or not all(_is_plain(v) for v in (before, after)):
+        if after is None or after == before:
+            continue
+        if not all(_is_plain(v) for v in (before, after)):
+            if after.__class__ is Descriptor and after.kind == "property":  # whoever asks for it runs it
+                machine.schedule(after.getter, (ref,), BY_PYTHON)
+                obj = obj.with_attr(
+                    name, machine.unknown(Cause.CALL, f"property of an object of another class: {name}")
+                )
             continue
         there = obj.attrs.get(name)
         if there is None and before is not None:
@@ -60,5 +69,6 @@ def _give_methods(machine: Engine, ref: Ref, cls: Class) -> None:
 def _is_plain(value: Value | None) -> bool:
     """Whether a value in a class is a method, or something that is no descriptor."""
     return value is None or not any(
-        o.__class__ is Descriptor or (o.__class__ is Ref) for o in options(value) if o.__class__ is not Function
+        o.__class__ is Ref or (isinstance(o, Descriptor) and o.kind not in ("staticmethod", "classmethod"))
+        for o in options(value)
     )

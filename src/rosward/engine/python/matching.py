@@ -88,7 +88,9 @@ _ABSENT: Final = Native("match.absent")
 
 def _attribute(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     found = machine.call_native("builtins.getattr", (*arguments, _ABSENT))
-    if any(o.__class__ is External for o in options(arguments[0])):  # whether a library has such an attribute is not known
+    if any(
+        o.__class__ is External for o in options(arguments[0])
+    ):  # whether a library has such an attribute is not known
         return join_all((found, machine.unknown(Cause.OPERATION, "match")))
     return found
 
