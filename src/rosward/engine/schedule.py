@@ -57,7 +57,6 @@ _IN_TURN: Final = frozenset(
             "exit",
             "log",
             "print",
-            "shutdown",
             "uncaught exception",
             BY_PYTHON,
         ),
