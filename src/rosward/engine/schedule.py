@@ -51,15 +51,8 @@ _IN_TURN: Final = frozenset(
     (
         *("accepted", "cancel", "execute", "feedback", "future", "goal", "guard condition", "message", "parameters"),
         *("qos event", "qos override", "service", "task", "tick", "time jump", "timer", "transition", "waitable"),
-        *(
-            "end of a generator",
-            "end of an object",
-            "exit",
-            "log",
-            "print",
-            "uncaught exception",
-            BY_PYTHON,
-        ),
+        *("end of a generator", "end of an object", "exit", "log", "print", "uncaught exception"),
+        BY_PYTHON,
     )
 )
 """What runs one after the other in the thread that spins, or where the program itself lets it run. Anything else may run beside a callback."""
