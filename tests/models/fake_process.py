@@ -23,6 +23,7 @@ class NoCallbacks:
 
     entries: tuple[()] = ()
     was_run = False
+    parallel = False
     main_raised: Value = UNBOUND
     threads_raised: Value = UNBOUND
 

@@ -27,6 +27,7 @@ def commands(declared: PythonSide) -> list[str]:
         ("talker = demo.talker:main", ("talker", "demo.talker", "main")),
         ("  a-b.py=x:y  ", ("a-b.py", "x", "y")),
         ("a = x.y : C.run [extra]", ("a", "x.y", "C.run")),
+        ("a = x.1_y:main", ("a", "x.1_y", "main")),
         ("a = räder:start", ("a", "räder", "start")),
         ("a = x", None),
         ("a = x:", None),

@@ -77,6 +77,8 @@ def follow(
     """
     watch = _watch() if budget.flow else None
     machine = Interpreter(library, budget, EffectLog(configuration), watch, careful)
+    # Nobody knows who lets a class work; programs in C++ are taken to have several threads, as containers of components may.
+    machine.schedule_book.parallel = bool(entry.classes or entry.program)
     try:
         imported = _Imported()
         found = _to_its_end(machine, imported, entry, budget, configuration)

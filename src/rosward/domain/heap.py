@@ -21,6 +21,10 @@ KIND: Final = ""
 """No attribute has this name: who asks for it alone asks of what kind and class an object is, and whether it stands for several."""
 
 
+CLASSES: Final = "__class__"
+"""The classes of an object that may have been given another one, as an attribute."""
+
+
 class Alternatives(NamedTuple):
     """The payload of a list of unknown length: its elements in order, and whether each is surely there. Any write to the list drops it."""
 

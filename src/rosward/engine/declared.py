@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 _PURE: Final = Tuple((Const("pure"),))
+_CALLS: Final = Const("calls")
 _RAISES_NOTHING: Final = Tuple((Const("raises_nothing"),))
 
 
@@ -28,7 +29,7 @@ def is_model(function: Function) -> bool:
     return function.code.is_model
 
 
-_HARMLESS: Final = (Const("sends"), Const("pure"), Const("waits"))
+_HARMLESS: Final = (Const("sends"), Const("pure"), Const("suspends"), Const("waits"))
 
 
 def may_raise(machine: Engine, function: Function, registers: list[Value]) -> bool:
@@ -70,10 +71,14 @@ def apply(machine: Engine, function: Function, registers: list[Value]) -> Value 
 
 
 def result(machine: Engine, function: Function, registers: list[Value]) -> Value:
-    """A value of the return annotation. What the library was given and can call, it may call, unless the model says `@pure`."""
+    """A value of the return annotation. What the library was given and can call, it may call, unless the model says `@pure`, or what it calls."""
     code = function.code
     if _PURE not in function.effects:
-        machine.may_call(registers)
+        called = {e.items[1] for e in function.effects if isinstance(e, Tuple) and e.items[0] == _CALLS}
+        names = code.parameters.names
+        machine.may_call(
+            [r for n, r in zip(names, registers, strict=True) if Const(n) not in called] if called else registers
+        )
     dotted = f"{function.module.name}.{code.qualname}"
     if code.returns is None:
         return machine.unknown(Cause.CALL, dotted)

@@ -19,10 +19,11 @@ from rosward.engine import made_many
 from rosward.engine.arguments import ANY
 from rosward.engine.attributes_asked import records_of
 from rosward.engine.budget import BeginAnewError, LimitReachedError
+from rosward.engine.catcher import LIBRARY
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
 from rosward.engine.scheduled import Scheduled
-from rosward.engine.throwing import throw
+from rosward.engine.throwing import note, throw
 from rosward.engine.unchanged import is_unchanged, remembered
 from rosward.engine.unheld import arrive, replaced, unheld
 from rosward.findings import Finding, Findings
@@ -46,6 +47,15 @@ _MOST_WAITS: Final = 4
 """How often callbacks are followed precisely where the main body waits; behind that, those that create nothing are only where it spins or ends."""
 _STEPS_OF_EACH: Final = 300
 """What each callback may take on top of what all may take together: a large program has many small ones."""
+_IN_TURN: Final = frozenset(
+    (
+        *("accepted", "cancel", "execute", "feedback", "future", "goal", "guard condition", "message", "parameters"),
+        *("qos event", "qos override", "service", "task", "tick", "time jump", "timer", "transition", "waitable"),
+        *("end of a generator", "end of an object", "exit", "log", "print", "uncaught exception"),
+        BY_PYTHON,
+    )
+)
+"""What runs one after the other in the thread that spins, or where the program itself lets it run. Anything else may run beside a callback."""
 _NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
 
 
@@ -73,6 +83,7 @@ def add(
             )
             entry.answered = answered
             book.beside = book.beside or event == "coroutine"
+            book.parallel = book.parallel or event not in _IN_TURN
             if event == "thread" and not book.running:
                 _start(machine, entry)
                 waits(machine)
@@ -154,11 +165,14 @@ def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> Non
         _throw(machine)
 
 
-def waits(machine: Engine) -> None:
-    """The main body waits: what a thread spins beside it may run meanwhile."""
+def waits(machine: Engine, *, suspended: bool = False) -> None:
+    """The main body waits: what a thread spins beside it may run meanwhile. Of a callback, what runs beside it; if `suspended`, any."""
     book = machine.schedule_book
     if book.running:
-        _between(machine)
+        if suspended or book.parallel:
+            _between(machine)
+        else:
+            _interrupted(machine)
         return
     machine.summaries.asked += 1  # it depends on which threads there are
     if book.beside:
@@ -177,6 +191,17 @@ def _between(machine: Engine) -> None:
     machine.summaries.asked += 1  # a call in which this happens is not remembered
     seen = state.copy()
     book.between = seen if book.between is None else join_states(book.between, seen, machine.fresh_version)
+
+
+def _interrupted(machine: Engine) -> None:
+    """A callback waits, and nothing runs beside it: only who ends the program (Ctrl-C) does so here, and the main body finds it where it spins."""
+    book, state = machine.schedule_book, machine.state
+    if book.seen == state.version:
+        return
+    book.seen = state.version
+    machine.summaries.asked += 1  # as above
+    seen = state.copy()
+    book.interrupted = seen if book.interrupted is None else join_states(book.interrupted, seen, machine.fresh_version)
 
 
 def uncaught(machine: Engine, exception: Value) -> None:
@@ -205,9 +230,12 @@ def _joined(machine: Engine) -> State:
 
 
 def _throw(machine: Engine) -> None:
-    """The exceptions of callbacks may come out here."""
+    """The exceptions of callbacks may come out here, and one that comes from outside."""
     book = machine.schedule_book
     after = machine.state
+    if book.interrupted is not None and machine.catchers:
+        machine.state = join_states(after.copy(), book.interrupted.copy(), machine.fresh_version)
+        note(machine, LIBRARY)
     for exception, state in book.raised.items():
         machine.state = join_states(after.copy(), state.copy(), machine.fresh_version)
         throw(machine, exception)

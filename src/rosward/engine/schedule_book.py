@@ -39,7 +39,9 @@ class Schedule:
         "entries",
         "event",
         "hurried",
+        "interrupted",
         "named",
+        "parallel",
         "raised",
         "running",
         "seen",
@@ -55,7 +57,11 @@ class Schedule:
         self.beside = False  # a thread was started that spins: callbacks run wherever the main body waits
         self.waited = 0  # how often the main body waited then
         self.hurried = False  # it did so often that callbacks are followed with less precision there
+        self.parallel = False  # something may run while a callback waits: another thread, a signal, an executor with several threads
         self.between: State | None = None  # what was there while the callback that runs waited
+        self.interrupted: State | None = (
+            None  # what was there where a callback waited that nothing but the user interrupts
+        )
         self.seen = -1  # the version of the state in which it waited last
         self.by_library = False  # something that the program handed out may be called by a library
         self._main_raised: Value = UNBOUND

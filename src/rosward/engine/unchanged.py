@@ -92,6 +92,7 @@ def circumstances(machine: Engine) -> tuple[object, ...]:
         bool(book.entries),
         len(book.named),
         book.by_library,
+        book.parallel,
         book.was_run,
         book.main_raised,
         book.threads_raised,

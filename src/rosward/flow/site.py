@@ -180,7 +180,7 @@ def _name(function: Value) -> str:
     return function.name if isinstance(function, (Native, External)) else ""
 
 
-_SPINNING: Final = (Const("spins"), Const("waits"))
+_SPINNING: Final = (Const("spins"), Const("suspends"), Const("waits"))
 
 
 def _spins(function: Value) -> bool:

@@ -38,6 +38,8 @@ class Items(NamedTuple):
 class Callbacks(Protocol):
     """What was scheduled so far, as natives ask for it."""
 
+    parallel: bool  # something may run while a callback waits
+
     @property
     def entries(self) -> Sized:
         """All that may be called."""
@@ -208,8 +210,8 @@ class Machine(Execution, Protocol):
     def spin(self, *, serving: bool = False) -> None:
         """Everything that is scheduled may run here, in any order, any number of times; `serving`: because the client library spins."""
 
-    def waits(self) -> None:
-        """The program waits here: if one of its threads spins, everything that is scheduled may run."""
+    def waits(self, *, suspended: bool = False) -> None:
+        """The program waits here: if one of its threads spins, everything that is scheduled may run. `suspended`: as a coroutine does."""
 
     def variables(self, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives where the call stands: a dict."""

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 
 
 _DOTTED = r"[^\W\d]\w*(?:\s*\.\s*[^\W\d]\w*)*"
-_ENTRY_POINT: Final = re.compile(rf"\s*([^=\s\[][^=\n]*?)\s*=\s*({_DOTTED})\s*:\s*({_DOTTED})\s*(?:\[[^\]\n]*\]\s*)?")
+_MODULE = r"\w+(?:\s*\.\s*\w+)*"  # imported by its name: no identifiers
+_ENTRY_POINT: Final = re.compile(rf"\s*([^=\s\[][^=\n]*?)\s*=\s*({_MODULE})\s*:\s*({_DOTTED})\s*(?:\[[^\]\n]*\]\s*)?")
 
 
 class EntryPoint(NamedTuple):

@@ -17,6 +17,7 @@ from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import name_of
 from rosward.engine.python import members
 from rosward.engine.python.attributes import setter_of
+from rosward.engine.python.class_changes import change_class
 from rosward.engine.python.functions import record_of
 from rosward.engine.python.namespaces import slots_of
 from rosward.engine.python.removal import HOOKS, remove
@@ -119,7 +120,7 @@ def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: b
         if machine.die("AttributeError", f"no slot {name}", (said,), sure=True) is UNBOUND:
             return False
     if name == "__class__" and obj.kind == "instance":
-        _change_class(machine, ref, value, weak=weak)
+        change_class(machine, ref, value, weak=weak)
         return True
     if name == TABLE and obj.kind == "instance":
         give_table(machine, ref, value if not weak else join(machine.load_attr(ref, name), value))
@@ -150,16 +151,6 @@ def keep(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool) -> N
         if name in absent and (weak or old is None or (obj.many and obj.cls.__class__ is External)):
             changed.partial = absent
         machine.put(ref.address, changed)
-
-
-def _change_class(machine: Engine, ref: Ref, cls: Value, *, weak: bool) -> None:
-    """`object.__class__ = cls`: from now on it is an object of that class."""
-    obj = machine.obj(ref)
-    if cls.__class__ is not Class or weak or obj.many:
-        machine.report("RW203", "an object may be given another class")
-        return
-    machine.trace.instantiated.add(cls.place)
-    machine.put(ref.address, obj.replace(cls=cls))
 
 
 def _has_no_place(machine: Engine, cls: Value, name: str) -> bool:

@@ -20,7 +20,7 @@ from rosward.engine.alternatives import each_apart
 from rosward.engine.python import modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
 from rosward.engine.python.functions import kept_table, of_function, of_partial
-from rosward.engine.python.members import bind, is_computed, lookup, of_native_class, type_name
+from rosward.engine.python.members import bind, classes_of, is_computed, lookup, of_native_class, type_name
 from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
 from rosward.models.python.attribute_tables import TABLE, own_attribute
@@ -312,6 +312,8 @@ def _of_super(machine: Engine, value: Super, name: str) -> Value:
     if cls.__class__ is Class and receiver is cls and value.after not in cls.mro:
         cls = metaclass_of(machine, cls)
     mro: tuple[Value, ...] = cls.mro if cls.__class__ is Class else ()
+    if value.after not in mro:
+        mro = next((c.mro for c in classes_of(machine, receiver) if value.after in c.mro), mro)
     if name == "__class__":
         return Native("builtins.super")
     perhaps: Value = UNBOUND

@@ -282,6 +282,8 @@ def _super_of(machine: Engine, after: Value, receiver: Value) -> Value:
     """`super(after, receiver)`: where `after` is one of several classes, those that the receiver has. Python refuses the others."""
     cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
     order: Arguments = cls.mro if cls.__class__ is Class else ()
+    for other in members.classes_of(machine, receiver):
+        order = (*order, *other.mro)
     meta = metaclass_of(machine, receiver)
     if receiver.__class__ is Class and meta.__class__ is Class:  # a method of a metaclass
         order = (*order, *meta.mro)

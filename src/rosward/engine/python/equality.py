@@ -30,6 +30,7 @@ from rosward.engine.python.specials import one_has, special
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
 from rosward.models.python.operators.compare import compares
+from rosward.models.ros.interfaces import same_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -193,7 +194,10 @@ def _same(machine: Engine, left: Value, right: Value) -> bool | None:
             return None if machine.obj(left).many else True
         return False
     if left.__class__ in (Unknown, External, Choice) or right.__class__ in (Unknown, External, Choice):
-        return True if left.__class__ is External and left == right else None
+        if left.__class__ is External and right.__class__ is External:
+            return True if left == right else same_interface(machine, left, right)
+        external, other = (left, right) if left.__class__ is External else (right, left)
+        return False if external.__class__ is External and _is_private(machine, other) else None
     if left.__class__ is Const and right.__class__ is Const:
         if not (_settled(left) and _settled(right)):
             return None
@@ -203,6 +207,16 @@ def _same(machine: Engine, left: Value, right: Value) -> bool | None:
     if left.__class__ is not right.__class__:
         return False
     return True if left == right else (None if left.__class__ not in (Class, Function, Native) else False)
+
+
+_OBJECT: Final = Native("builtins.object")
+
+
+def _is_private(machine: Engine, value: Value) -> bool:
+    """Whether a value is an `object()` by which a model tells that there is nothing: no library has it."""
+    return (
+        value.__class__ is Ref and value.address < machine.library.first_address and machine.obj(value).cls == _OBJECT
+    )
 
 
 def _identity(machine: Engine, operator: str, left: Value, right: Value) -> Value:

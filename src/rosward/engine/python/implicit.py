@@ -16,8 +16,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join_all
+from rosward.domain.choice import join_all, options
 from rosward.domain.compound import BoundMethod, Descriptor
+from rosward.domain.heap import CLASSES
 from rosward.domain.values import Class, Function, Ref, Value
 from rosward.engine.declared import is_model
 from rosward.engine.python.metaclass_of import metaclass_of
@@ -55,7 +56,9 @@ def _objects(machine: Engine) -> dict[Class, list[Value]]:
     found: dict[Class, list[Value]] = {}
     for address, obj in machine.state.heap.items():
         if isinstance(obj.cls, Class) and not obj.cls.stub and obj.kind not in ("class", "module", "cell"):
-            found.setdefault(obj.cls, []).append(Ref(address))
+            for cls in options(obj.attrs[CLASSES]) if CLASSES in obj.attrs else (obj.cls,):
+                if isinstance(cls, Class):
+                    found.setdefault(cls, []).append(Ref(address))
     for cls in machine.log.classes:
         meta = metaclass_of(machine, cls)
         if isinstance(meta, Class) and not meta.stub:

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
+from rosward.domain.heap import CLASSES
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.engine.python import members, metaclasses
@@ -29,6 +30,7 @@ from rosward.models.python.builtins.attributes import has_attribute, of_python
 from rosward.models.python.containers.lists import ITERATOR, VIEW
 from rosward.models.python.plain import LOOSE_HINTS
 from rosward.models.python.std.annotations import WRITTEN_IN
+from rosward.models.ros.interfaces import same_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -64,7 +66,8 @@ def type_of(machine: Engine, value: Value) -> Value | None:
     if value.__class__ is Ref:
         obj = machine.obj(value)
         # a generator, a coroutine, what `iter` gives, a view of a dict
-        return None if obj.kind == "generator" or obj.payload in (ITERATOR, VIEW) else obj.cls
+        unclear = obj.kind == "generator" or obj.payload in (ITERATOR, VIEW)
+        return None if unclear else obj.attrs.get(CLASSES, obj.cls)
     if value.__class__ in (Const, Text, Tuple):
         return Native(f"builtins.{members.type_name(value)}")
     if value.__class__ is Unknown and value.hint and value.hint not in LOOSE_HINTS:
@@ -137,6 +140,8 @@ def _is_subclass(machine: Engine, cls: Value, wanted: Value) -> bool | None:
         return True
     if wanted.__class__ is Native and cls.__class__ is Native:
         return _of_python(cls.name, _python_class(wanted.name))
+    if cls.__class__ is External and wanted.__class__ is External:
+        return same_interface(machine, cls, wanted)
     if cls.__class__ not in (Native, Class) or wanted.__class__ not in (Native, Class):
         return None
     if wanted.__class__ is Class:

@@ -87,12 +87,17 @@ _ABSENT: Final = Native("match.absent")
 
 
 def _attribute(machine: Engine, _name: str, arguments: list[Value]) -> Value:
-    return machine.call_native("builtins.getattr", (*arguments, _ABSENT))
+    found = machine.call_native("builtins.getattr", (*arguments, _ABSENT))
+    if any(
+        o.__class__ is External for o in options(arguments[0])
+    ):  # whether a library has such an attribute is not known
+        return join_all((found, machine.unknown(Cause.OPERATION, "match")))
+    return found
 
 
 def _is_there(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     found = options(arguments[0])
-    if any(o.__class__ in (Unknown, External) for o in found) or (_ABSENT in found and len(found) > 1):
+    if any(o.__class__ is Unknown for o in found) or (_ABSENT in found and len(found) > 1):
         return machine.unknown(Cause.OPERATION, "match", "bool")
     return FALSE if _ABSENT in found else TRUE
 

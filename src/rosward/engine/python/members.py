@@ -6,8 +6,9 @@ from __future__ import annotations
 import builtins
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join, join_all
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial, Range, Slice, Tuple
+from rosward.domain.heap import CLASSES
 from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Value
 from rosward.models.python.contents import KINDS
 from rosward.models.python.exceptions import is_exception
@@ -46,6 +47,12 @@ def lookup(machine: Engine, cls: Value, name: str) -> Value | None:
             if inherited is not None:
                 return join(perhaps, inherited)
     return None if perhaps is UNBOUND else perhaps
+
+
+def classes_of(machine: Engine, value: Value) -> list[Class]:
+    """The classes of an object that may have been given another one; of any other, none."""
+    given = machine.obj(value).attrs.get(CLASSES) if value.__class__ is Ref else None
+    return [] if given is None else [c for c in options(given) if isinstance(c, Class)]
 
 
 def is_builtin_exception(cls: Value) -> bool:

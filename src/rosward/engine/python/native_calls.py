@@ -69,8 +69,27 @@ def invoke(
 _ASKED: Final = {
     **{
         f"builtins.{n}": f"__{n}__"
-        for n in ("len", "abs", "int", "float", "round", "hash", "str", "repr", "bool", "format", "reversed")
+        for n in (
+            "len",
+            "abs",
+            "int",
+            "float",
+            "round",
+            "hash",
+            "str",
+            "repr",
+            "bool",
+            "format",
+            "reversed",
+            "complex",
+            "bytes",
+            "divmod",
+            "pow",
+            "dir",
+        )
     },
+    **dict.fromkeys(("builtins.bin", "builtins.hex", "builtins.oct", "builtins.chr", "operator.index"), "__index__"),
+    **{f"math.{n}": f"__{n}__" for n in ("trunc", "floor", "ceil")},
     "operator.neg": "__neg__",
 }
 """Builtins that ask an object by a method of its own."""

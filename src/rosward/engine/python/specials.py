@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Native
+from rosward.domain.heap import CLASSES
 from rosward.domain.values import Choice, Class, Ref, Value
 from rosward.engine.python import members, metaclasses
 
@@ -30,9 +31,9 @@ def special(machine: Engine, value: Value, name: str) -> Value | None:
     if value.__class__ is Ref:
         obj = machine.obj(value)
         if obj.kind == "instance" and obj.cls.__class__ is Class:
-            found = members.lookup(machine, obj.cls, name)
-            if found is not None:
-                return members.bind(machine, found, value, obj.cls)
+            ways = [(c, members.lookup(machine, c, name)) for c in options(obj.attrs.get(CLASSES, obj.cls))]
+            found = [members.bind(machine, method, value, c) for c, method in ways if method is not None]
+            return join_all(found) if found else None
     return None
 
 

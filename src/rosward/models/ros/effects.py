@@ -87,6 +87,12 @@ def _sleep(call: NativeCall) -> Value:
     return NONE
 
 
+def _beside(call: NativeCall) -> Value:
+    """`_rosward.beside()`: from now on callbacks run beside one another."""
+    call.machine.schedule_book.parallel = True
+    return NONE
+
+
 def _unknown(call: NativeCall) -> Value:
     label = text_of(call.args[0]).upper().replace(" ", "_")
     cause = Cause[label] if label in Cause.__members__ else Cause.CALL
@@ -153,6 +159,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.unset": _is_unset,
     "rclpy.utilities.remove_ros_args": _remove_ros_args,
     "_rosward.schedule": _schedule,
+    "_rosward.beside": _beside,
     "_rosward.spin": _spin,
     "time.sleep": _sleep,
     "_rosward.unknown": _unknown,

@@ -10,6 +10,9 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from rosward.domain.compound import External
+from rosward.domain.values import Value
+from rosward.models.native import Machine
 from rosward.records import NamedTuple
 from rosward.source.definitions import PARTS
 
@@ -42,6 +45,22 @@ class MessageName(NamedTuple):
         """The name under which programs import it."""
         inner = f"{self.name}.{self.part}" if self.part else self.name
         return f"{self.package}.{self.kind}.{inner}"
+
+
+def same_interface(machine: Machine, left: Value, right: Value) -> bool | None:
+    """Whether two classes of interfaces are one; None where the fields of one are not known."""
+    names = {_interface_of(machine, left), _interface_of(machine, right)}
+    return None if "" in names else len(names) == 1
+
+
+def _interface_of(machine: Machine, cls: Value) -> str:
+    """The name under which programs import the class of an interface whose fields are known; '' for anything else."""
+    if not isinstance(cls, External):
+        return ""
+    if not any(machine.interface_definition(cls.name + part) for part in ("", ".Request", ".Goal")):
+        return ""
+    message = message_name(cls.name)
+    return message.dotted if message is not None else ".".join(n for n in cls.name.split(".") if not n.startswith("_"))
 
 
 def message_name(dotted: str) -> MessageName | None:

@@ -72,8 +72,8 @@ def perform(machine: Machine, spec: Tuple, named: dict[str, Value]) -> None:
     kind = text_of(spec.items[0])
     if kind == "spins":
         machine.spin(serving=True)
-    elif kind == "waits":
-        machine.waits()
+    elif kind in ("waits", "suspends"):
+        machine.waits(suspended=kind == "suspends")
     elif kind == "creates":
         pairs = (_items(pair) for pair in _items(spec.items[2]))
         wanted = {text_of(role): text_of(parameter) for role, parameter in pairs}
@@ -138,6 +138,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.sends": _sends,
     "_rosward.mark": _mark,
     "_rosward.spins": _marker("spins"),
+    "_rosward.suspends": _marker("suspends"),
     "_rosward.waits": _marker("waits"),
     "_rosward.native": _marker("native"),
     "_rosward.pure": _marker("pure"),

@@ -240,7 +240,7 @@ def _by_prefix(call: NativeCall) -> Value:
                     each = machine.call(cls, (key, NONE, NONE if value is None else value))
                     dicts.store(machine, result, short, each, weak=not sure)
         if any_:
-            any_name = machine.unknown(Cause.PARAMETER, f"{pattern(prefix)}.*", "str")
+            any_name = machine.unknown(Cause.PARAMETER, "*" if text_of(prefix) == "" else f"{pattern(prefix)}.*", "str")
             each = machine.call(cls, (any_name, NONE, Unknown(any_name.reasons)))
             dicts.store(machine, result, any_name, each, weak=True)
     return result

@@ -8,7 +8,7 @@ from typing import Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Tuple
-from rosward.domain.heap import Obj
+from rosward.domain.heap import CLASSES, Obj
 from rosward.domain.series import Series
 from rosward.domain.values import (
     EMPTY,
@@ -163,7 +163,7 @@ def type_of(machine: Machine, value: Value) -> Value:
         obj = machine.obj(value)
         if obj.payload in (ITERATOR, VIEW):
             return unknown_from(machine, "type", "", value)
-        return Native("builtins.generator") if obj.kind == "generator" else obj.cls
+        return Native("builtins.generator") if obj.kind == "generator" else obj.attrs.get(CLASSES, obj.cls)
     if isinstance(value, BoundMethod) and isinstance(value.function, Function):
         return Native("builtins.method")
     if isinstance(value, Class):

@@ -31,7 +31,7 @@ _NEEDS: Final[dict[str, tuple[int, str]]] = {
     "pow": (2, "base exp mod"),
     "divmod": (2, ""),
 }
-_ASKED: Final = {"abs": "__abs__", "round": "__round__", "divmod": "__divmod__"}
+_ASKED: Final = {"abs": "__abs__", "round": "__round__", "divmod": "__divmod__", "pow": "__pow__"}
 """What Python calls in the place of a function, on an object that has it."""
 _AS_INDEX: Final = frozenset({"bin", "hex", "oct", "chr"})
 _ABSOLUTE: Final = {"int": "int", "bool": "int", "float": "float"}
@@ -44,6 +44,8 @@ def _pure(call: NativeCall) -> Value:
     function, hint = _PURE[name]
 
     def one(*values: Value) -> Value:
+        if name == "pow" and len(values) == 2 and any(_has_power(call.machine, v) for v in values):
+            return call.machine.binary("**", *values)
         special = "__index__" if name in _AS_INDEX else _ASKED.get(name, "")
         if _is_object(call.machine, values[0], special):
             answer = call.machine.call(call.machine.load_attr(values[0], special), values[1:])
@@ -65,6 +67,10 @@ def _is_object(machine: Machine, value: Value, special: str) -> bool:
     if not special or not isinstance(value, Ref) or machine.obj(value).kind != "instance":
         return False
     return has_attribute(machine, value, special) is True
+
+
+def _has_power(machine: Machine, value: Value) -> bool:
+    return _is_object(machine, value, "__pow__") or _is_object(machine, value, "__rpow__")
 
 
 def _is_instance(call: NativeCall) -> Value:

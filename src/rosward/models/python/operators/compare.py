@@ -36,6 +36,7 @@ from rosward.models.python.plain import (
     text_of,
     unknown_from,
 )
+from rosward.models.ros.interfaces import same_interface
 
 MAX_DEPTH: Final = 6
 MAX_COMPARED: Final = 2_000
@@ -186,7 +187,7 @@ def equal(machine: Machine, left: Value, right: Value, depth: int = MAX_DEPTH) -
     if isinstance(left, (External, Partial, BoundMethod, Range)) or isinstance(
         right, (External, Partial, BoundMethod, Range)
     ):
-        return True if left == right and not isinstance(left, (Partial, Range)) else _never(left, right)
+        return True if left == right and not isinstance(left, (Partial, Range)) else _never(machine, left, right)
     return left == right
 
 
@@ -201,8 +202,10 @@ def _compared_defaults(machine: Machine, left: Const, right: Const) -> None:
             machine.log.variables.of_default(one.origins, other, machine.place)
 
 
-def _never(left: Value, right: Value) -> bool | None:
+def _never(machine: Machine, left: Value, right: Value) -> bool | None:
     """False where no such values are equal."""
+    if isinstance(left, External) and isinstance(right, External):
+        return same_interface(machine, left, right)
     apart = isinstance(left, (BoundMethod, Range)) and isinstance(right, (Const, Text, Tuple))
     apart = apart or (isinstance(right, (BoundMethod, Range)) and isinstance(left, (Const, Text, Tuple)))
     external = isinstance(left, External) and right == NONE

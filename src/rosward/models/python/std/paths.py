@@ -9,14 +9,16 @@ os.path.join('/robot', unknown)                 Text('/robot/', hole) or, since 
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Callable, Iterable
+from functools import reduce
 from typing import Final
 
-from rosward.domain.choice import join, join_all, lift, lift2
+from rosward.domain.choice import join, join_all, lift, lift2, options
 from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, derived
-from rosward.domain.values import EMPTY, Const, Hole, Text, Unknown, Value
+from rosward.domain.values import EMPTY, NONE, Const, Hole, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.plain import text_of
 from rosward.models.python.std.support import joined_elements, unknown_from
@@ -216,11 +218,32 @@ def _expanduser(call: NativeCall) -> Value:
     return call.machine.unknown(Cause.CALL, call.name, "str") if value is None else lift(one, value)
 
 
+_VARIABLE: Final = re.compile(r"\$(?:(\w+)|\{([^}]*)\})", re.ASCII)
+
+
 def _expandvars(call: NativeCall) -> Value:
+    machine = call.machine
+
+    def variable(name: str, written: str) -> Value:
+        found = machine.call(
+            machine.load_attr(machine.load_attr(machine.load_module("os"), "environ"), "get"), (Const(name),)
+        )
+        return join_all(o for o in options(found) if o != NONE) if found != NONE else Const(written)
+
     def one(value: Value) -> Value:
         if not any(isinstance(p, str) and "$" in p for p in parts_of(value)):
             return value
-        return call.machine.unknown(Cause.ENVIRONMENT, text_of(value) or "", "str")
+        pieces: list[Value] = [Const("", origins_of(value))]
+        for part in parts_of(value):
+            if not isinstance(part, str):
+                pieces.append(make((part,)))
+                continue
+            end = 0
+            for found in _VARIABLE.finditer(part):
+                pieces += [Const(part[end : found.start()]), variable(found[1] or found[2], found[0])]
+                end = found.end()
+            pieces.append(Const(part[end:]))
+        return reduce(lambda left, right: lift2(lambda a, b: concat((a, b)), left, right), pieces)
 
     value = _first(call)
     return call.machine.unknown(Cause.CALL, call.name, "str") if value is None else lift(one, value)

@@ -29,12 +29,16 @@ class _Environ:
     @source("env")
     def __getitem__(self, key):
         known = self._known(key)
+        if isinstance(known, str):
+            return known
         if known is _GONE:
             raise KeyError(key)
         return unknown('environment', key, 'str') if known is None else known
     @source("env")
     def get(self, key, default=None):
         known = self._known(key)
+        if isinstance(known, str):
+            return known
         if known is _GONE:
             return default
         return _read(key, default) if known is None else known

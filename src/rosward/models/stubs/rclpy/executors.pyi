@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask, reads_only, schedule, spins, spun, unknown
+from _rosward import ask, beside, reads_only, schedule, spins, spun, unknown
 
 from rclpy.context import Context
 from rclpy.task import Future as Future, Task as Task
@@ -134,6 +134,7 @@ class MultiThreadedExecutor(Executor):
     )
     def __init__(self, num_threads=None, *, context=None):
         super().__init__(context=context)
+        beside()
 
     @spins
     def spin_once(self, timeout_sec=None):

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import awaited, reads_only, schedule, unknown
+from _rosward import awaited, reads_only, schedule, suspends, unknown
 
 reads_only(__name__)
 
@@ -14,6 +14,7 @@ class Future:
         self._result = None
         self._exception = None
 
+    @suspends
     def __await__(self):
         yield None
         return self.result()
