@@ -53,6 +53,7 @@ class Precision:
         "_begun",
         "_coarse_limit",
         "_created",
+        "_entry_limit",
         "_heads",
         "_heavy",
         "_in_callbacks",
@@ -102,6 +103,7 @@ class Precision:
         self.rests: Rests = {}  # of those that ran in the call that is to be remembered: what stood there before, and behind
         self.spent = 0  # steps of all callbacks, but for those that are running
         self.repeated_in_callbacks = 0  # those of them that were not taken
+        self._entry_limit = budget.entry_steps  # those of the callback that is running
         self._begun = 0  # how many steps there were when these began
         self._created = 0  # how many there were when something was created last, or a callback began
         self._loop_begun = 0  # and when the outermost loop did
@@ -120,7 +122,7 @@ class Precision:
                 raise BeginAnewError(frozenset((self.callback,)))
             if self._whole_limit and not self._in_callbacks:
                 raise BeginAnewError(frozenset((MAIN_BODY,)))
-            most = self.budget.entry_steps if self._in_callbacks else self.budget.steps
+            most = self._entry_limit if self._in_callbacks else self.budget.steps
             raise LimitReachedError(f"more than {most} steps", where.place)
 
     def give_up(self) -> None:
@@ -296,14 +298,15 @@ class Precision:
         """The steps of all callbacks, while they run."""
         return self.spent + self.steps - self._begun
 
-    def begin_callback(self, key: str, *, coarse: bool, short: bool) -> int:
+    def begin_callback(self, key: str, *, coarse: bool, short: bool, late: bool = False) -> int:
         """A callback begins, with steps of its own; `coarse`: it took too many before. What `end_callback` asks for.
 
-        `short`: it has few where it creates nothing.
+        `short`: it has few where it creates nothing; `late`: it has few.
         """
         self.callback = key
         self.loops = self.fixpoints = 0
         most = self.budget.entry_hasty if short else self.budget.entry_steps
+        most = self._entry_limit = min(most, self.budget.entry_coarse) if late else most
         self.step_limit = self.steps - self._repeated + most
         self.coarse = self._always_coarse = coarse
         self._coarse_limit = self.steps + self.budget.entry_coarse

@@ -285,17 +285,19 @@ def _look_through(machine: Engine, frames: Sequence[Frame]) -> set[int]:
 
 
 def _afford(machine: Engine, entry: Scheduled) -> bool:
-    """Whether there are steps left for a callback. Where many are gone, precision goes first."""
+    """Whether there are steps left for a callback. Where many are gone, precision goes first; one that has not run yet has a few of its own."""
     book = machine.schedule_book
     budget = machine.budget
     most = budget.callback_steps + _STEPS_OF_EACH * len(book.entries)
     spent = machine.precision.spent_in_callbacks
-    if spent - machine.precision.repeated_in_callbacks > most:
-        if not any(other.exhausted for other in book.entries.values()):
+    over = spent - machine.precision.repeated_in_callbacks - most
+    if over > 0 and (entry.runs or over > most * budget.coarse):
+        if not book.spent:
             said = f"more than {most} steps in all callbacks; what this one and others do later is missing"
             machine.log.findings.add(Finding("RW201", said, entry.place))
-        entry.exhausted = True
+        entry.exhausted = book.spent = True
         return False
+    entry.late = over > 0
     if spent > most * budget.coarse:
         entry.coarse = entry.costly = True
     return True
@@ -343,7 +345,8 @@ def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:
     key = _code_key(entry.callback)
     hurried = machine.schedule_book.hurried and key not in machine.trace.creating
     coarse = entry.coarse
-    heavy = machine.precision.begin_callback(key, coarse=coarse or hurried, short=short and not hurried)
+    short = short and not hurried and not entry.late
+    heavy = machine.precision.begin_callback(key, coarse=coarse or hurried, short=short, late=entry.late)
     try:
         arrive(machine, entry)
         if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":

@@ -46,6 +46,7 @@ class Schedule:
         "running",
         "seen",
         "settled",
+        "spent",
         "spins",
         "waited",
     )
@@ -54,6 +55,7 @@ class Schedule:
         self.entries: dict[object, Scheduled] = {}
         self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
         self.running = False
+        self.spent = False  # callbacks do not run again, as all together took too many steps
         self.beside = False  # a thread was started that spins: callbacks run wherever the main body waits
         self.waited = 0  # how often the main body waited then
         self.hurried = False  # it did so often that callbacks are followed with less precision there

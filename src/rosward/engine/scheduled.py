@@ -29,6 +29,7 @@ class Scheduled:
         "doubted",
         "event",
         "exhausted",
+        "late",
         "left",
         "made",
         "nodes",
@@ -56,6 +57,7 @@ class Scheduled:
         )  # the callbacks that were followed in haste, of which one registered it
         self.answered: Value | None = None  # what is called with each result
         self.exhausted = False  # it hit a limit: it is not run again
+        self.late = False  # it runs for the first time when all together took too many steps: it has a few
         self.runs = 0  # how often it ran
         self.read: list[tuple[int, Obj | None]] = []  # the records that it asked for when it ran last, as it found them
         # and those of which it asked for no more than one attribute
