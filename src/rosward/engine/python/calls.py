@@ -335,10 +335,15 @@ def wait_for(machine: Engine, value: Value) -> Value:
     if value.__class__ is Ref:
         obj = machine.obj(value)
         if obj.kind == "generator":
+            if any(p.function.code.is_generator for p in obj.payload.points):  # it yields to who runs the coroutine
+                machine.waits(suspended=True)
             return machine.run_out(value)[1]
+        machine.waits(suspended=True)
         for name in ("__await__", "result"):
             method = attributes.method(machine, value, name) if obj.kind == "instance" else None
             if method is not None:
                 result = call(machine, method, (), {})
                 return wait_for(machine, result) if name == "__await__" and result != value else result
+    else:
+        machine.waits(suspended=True)
     return value if value.__class__ is Unknown else machine.unknown(Cause.CALL, "await")

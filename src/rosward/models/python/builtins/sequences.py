@@ -66,7 +66,7 @@ def _enumerate(call: NativeCall) -> Value:
 
 def _zip(call: NativeCall) -> Value:
     if shared(call, call.args):
-        return lazily(call, "zip", *call.args)
+        return lazily(call, "zip", *call.args, **call.keywords)
     columns = [call.machine.iterate(a) for a in call.args]
     if call.loose is not None:  # `zip(*rows)`: rows of unknown length
         cells = (element for c in (*columns, call.machine.iterate(call.loose)) for element in all_of(c))
