@@ -118,6 +118,13 @@ def _spins(value: Value) -> bool:
     return isinstance(function, Function) and _SPINS in function.effects
 
 
+def _lets_work(machine: Engine, obj: Obj) -> bool:
+    """Whether an object has a method by which nodes work: an executor, to which they may be added later."""
+    classes = obj.cls.mro if isinstance(obj.cls, Class) else ()
+    models = [c for c in classes if isinstance(c, Class) and c.stub]
+    return any(_spins(value) for c in models for value in machine.at(c.address).attrs.values())
+
+
 def _creates_on_node(machine: Engine, value: Value) -> bool:
     """Whether a value is a method of a node by which entities are created."""
     while isinstance(value, Partial):
@@ -140,6 +147,7 @@ def _reach_object(machine: Engine, ref: Ref, library: str, callee: Value | None,
         if not library:
             return  # it knows nothing of ROS
         is_node = machine.is_node(ref.address)
+        machine.schedule_book.parallel |= _lets_work(machine, obj)
         if is_node or holds_node(machine, ref):
             machine.schedule_book.parallel = True  # it may let the node work, in threads
             what = "a node" if is_node else "an object that holds a node"

@@ -70,7 +70,8 @@ class Schedule:
         self.spins = 0  # how often the main body came to where callbacks run
         self.event = ""  # of the entry that is running
         self.raised: dict[Value, State] = {}  # what callbacks raise and do not catch, and the states in which they do
-        self.settled = (-1, -1, False)  # the number of entries, the version, and `parallel`, with which all came to rest last time
+        # the number of entries, the version and `parallel` with which all came to rest last time
+        self.settled = (-1, -1, False)
 
     def uncaught(self, exception: Value, *, thread: bool) -> None:
         """Nothing in the main body, or in a thread, catches an exception."""

@@ -121,6 +121,8 @@ def _settle(walker: Walker, machine: Interpreter) -> bool:
     entries = list(machine.schedule_book.entries.values())
     entries = list({_where(e): e for e in reversed(entries)}.values())[::-1]
     walker.threaded = any(e.event == "thread" for e in entries)
+    if machine.linked is None:  # C++ says so of each program
+        walker.threaded = walker.threaded or machine.schedule_book.parallel
     walker.logs = any(e.event == "log" for e in entries)
     for _ in range(_ROUNDS):
         walker.changed = False

@@ -86,6 +86,7 @@ _ASKED: Final = {
             "divmod",
             "pow",
             "dir",
+            "iter",
         )
     },
     **dict.fromkeys(("builtins.bin", "builtins.hex", "builtins.oct", "builtins.chr", "operator.index"), "__index__"),
