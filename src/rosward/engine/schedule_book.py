@@ -47,6 +47,7 @@ class Schedule:
         "seen",
         "settled",
         "spins",
+        "threads",
         "waited",
     )
 
@@ -58,6 +59,7 @@ class Schedule:
         self.waited = 0  # how often the main body waited then
         self.hurried = False  # it did so often that callbacks are followed with less precision there
         self.parallel = False  # something may run while a callback waits: another thread, a signal, an executor with several threads
+        self.threads = False  # an executor or a pool has several threads
         self.between: State | None = None  # what was there while the callback that runs waited
         self.interrupted: State | None = (
             None  # what was there where a callback waited that nothing but the user interrupts
