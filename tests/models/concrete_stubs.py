@@ -106,6 +106,7 @@ class Stubs:
                 default=lambda _kind, name, value: Default(name, value),
                 either=either,
                 contents=lambda value: value,
+                beside=lambda: None,
                 schedule=lambda function, *args, event="timer": self.scheduled.append((function, args, event)),
                 spin=self._spin,
                 escape=lambda *_: None,

@@ -24,6 +24,7 @@ class NoCallbacks:
     entries: tuple[()] = ()
     was_run = False
     parallel = False
+    threads = False
     main_raised: Value = UNBOUND
     threads_raised: Value = UNBOUND
 

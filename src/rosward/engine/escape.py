@@ -33,6 +33,7 @@ BY_PYTHON: Final = "call by Python itself"
 BY_BASE: Final = "call by the base class"
 """Events whose callbacks give their results to code that is not known."""
 
+_SPINS: Final = Tuple((Const("spins"),))
 _DEPTH: Final = 4
 """How many containers deep callables and nodes are looked for."""
 
@@ -79,6 +80,7 @@ def _reach(machine: Engine, value: Value, library: str, callee: Value | None, de
     for option in options(value):
         option = option.target if isinstance(option, Pointer) else option  # noqa: PLW2901 - what a pointer leads to
         if isinstance(option, (Function, BoundMethod, Partial)):
+            machine.schedule_book.parallel |= _spins(option)
             if _runs_program(machine, option):
                 machine.schedule(option, None, BY_LIBRARY)
             elif library and _creates_on_node(machine, option):
@@ -110,6 +112,19 @@ def _runs_program(machine: Engine, value: Value) -> bool:
     return not _is_library(value) or leads_to_program(machine, value)
 
 
+def _spins(value: Value) -> bool:
+    """Whether a value is a function of the client library by which nodes work."""
+    function = function_behind(value)
+    return isinstance(function, Function) and _SPINS in function.effects
+
+
+def _lets_work(machine: Engine, obj: Obj) -> bool:
+    """Whether an object has a method by which nodes work: an executor, to which they may be added later."""
+    classes = obj.cls.mro if isinstance(obj.cls, Class) else ()
+    models = [c for c in classes if isinstance(c, Class) and c.stub]
+    return any(_spins(value) for c in models for value in machine.at(c.address).attrs.values())
+
+
 def _creates_on_node(machine: Engine, value: Value) -> bool:
     """Whether a value is a method of a node by which entities are created."""
     while isinstance(value, Partial):
@@ -132,7 +147,9 @@ def _reach_object(machine: Engine, ref: Ref, library: str, callee: Value | None,
         if not library:
             return  # it knows nothing of ROS
         is_node = machine.is_node(ref.address)
+        machine.schedule_book.parallel |= _lets_work(machine, obj)
         if is_node or holds_node(machine, ref):
+            machine.schedule_book.parallel = True  # it may let the node work, in threads
             what = "a node" if is_node else "an object that holds a node"
             machine.report(
                 "RW202", f"{what} is passed to {library}; what that creates is unknown", (_cause(library, callee),)

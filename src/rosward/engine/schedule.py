@@ -51,11 +51,14 @@ _IN_TURN: Final = frozenset(
     (
         *("accepted", "cancel", "execute", "feedback", "future", "goal", "guard condition", "message", "parameters"),
         *("qos event", "qos override", "service", "task", "tick", "time jump", "timer", "transition", "waitable"),
-        *("end of a generator", "end of an object", "exit", "log", "print", "uncaught exception"),
+        *("end of a generator", "log", "print"),
         BY_PYTHON,
     )
 )
-"""What runs one after the other in the thread that spins, or where the program itself lets it run. Anything else may run beside a callback."""
+"""What runs one after the other in the thread that spins, or where the program itself lets it run.
+
+Anything else may run beside a callback, or finds what one has left that was interrupted (`atexit`).
+"""
 _NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
 
 
@@ -148,10 +151,11 @@ def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> Non
     book = machine.schedule_book
     if book.running:
         book.beside = book.beside or (serving and book.event == "thread")
+        book.parallel = book.parallel or (serving and bool(machine.catchers))  # here comes out what interrupts others
         _between(machine)
         return
     book.spins += 1
-    if book.settled != (len(book.entries), machine.state.version):
+    if book.settled != _reached(machine):
         frames = machine.frames
         machine.summaries.waiting.update(frame.code.key for frame in frames)
         with _alone(machine):
@@ -160,9 +164,15 @@ def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> Non
             _run(machine, frames)
             book.hurried = False
         machine.unheld = set()
-        book.settled = (len(book.entries), machine.state.version)
+        book.settled = _reached(machine)
     if not beside:
         _throw(machine)
+
+
+def _reached(machine: Engine) -> tuple[int, int, bool]:
+    """How far all has come: where this is as it was, callbacks would do what they did."""
+    book = machine.schedule_book
+    return len(book.entries), machine.state.version, book.parallel
 
 
 def waits(machine: Engine, *, suspended: bool = False) -> None:
@@ -256,7 +266,7 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
             gone = _look_through(machine, frames)
             made_many.mark(machine, book.entries.values(), made - gone)
             made.clear()
-        start = (len(book.entries), machine.state.version)
+        start = _reached(machine)
         merge = join if round_ < machine.budget.widen_after else widening
         for entry in [e for e in book.entries.values() if not e.exhausted]:
             if is_unchanged(machine, entry) or not _afford(machine, entry):
@@ -271,7 +281,7 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
             before = base.copy()
             machine.state = join_states(base, machine.state, machine.fresh_version, merge)
             made_many.note(machine, entry, before, made)
-        if start == (len(book.entries), machine.state.version):
+        if start == _reached(machine):
             return
         machine.check_time()
     machine.report("RW201", "the callbacks did not converge; what they create later may be missing")

@@ -48,6 +48,7 @@ class Schedule:
         "settled",
         "spent",
         "spins",
+        "threads",
         "waited",
     )
 
@@ -60,6 +61,7 @@ class Schedule:
         self.waited = 0  # how often the main body waited then
         self.hurried = False  # it did so often that callbacks are followed with less precision there
         self.parallel = False  # something may run while a callback waits: another thread, a signal, an executor with several threads
+        self.threads = False  # an executor or a pool has several threads
         self.between: State | None = None  # what was there while the callback that runs waited
         self.interrupted: State | None = (
             None  # what was there where a callback waited that nothing but the user interrupts
@@ -72,7 +74,8 @@ class Schedule:
         self.spins = 0  # how often the main body came to where callbacks run
         self.event = ""  # of the entry that is running
         self.raised: dict[Value, State] = {}  # what callbacks raise and do not catch, and the states in which they do
-        self.settled = (-1, -1)  # the number of entries and the version with which all came to rest last time
+        # the number of entries, the version and `parallel` with which all came to rest last time
+        self.settled = (-1, -1, False)
 
     def uncaught(self, exception: Value, *, thread: bool) -> None:
         """Nothing in the main body, or in a thread, catches an exception."""

@@ -241,11 +241,14 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         walker.ask(owners)
         if seen.scheduled and site.unknown:
             walker.may_call(owners)
-    if not walker.calling.isdisjoint(owners) or (walker.threaded and site.waits):
+    waits = walker.threaded and (site.waits or site.pauses)
+    if waits or site.spins:
+        walker.leave()
+    if waits or not walker.calling.isdisjoint(owners):
         walker.meet_callbacks()
     if seen.scheduled:
         schedule(walker, seen, marks, body.pc | pc, _hands(walker, function, seen))
-    if site.spins:
+    if site.spins or site.pauses:
         walker.join_beside()
 
 

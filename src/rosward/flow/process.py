@@ -120,7 +120,7 @@ def _settle(walker: Walker, machine: Interpreter) -> bool:
     """Until nothing changes; False where that takes too long."""
     entries = list(machine.schedule_book.entries.values())
     entries = list({_where(e): e for e in reversed(entries)}.values())[::-1]
-    walker.threaded = any(e.event == "thread" for e in entries)
+    walker.threaded = machine.schedule_book.threads or any(e.event == "thread" for e in entries)
     walker.logs = any(e.event == "log" for e in entries)
     for _ in range(_ROUNDS):
         walker.changed = False

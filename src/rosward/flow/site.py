@@ -27,7 +27,7 @@ class Site:
     functions of the program. `waits`: others run meanwhile.
     """
 
-    __slots__ = ("callees", "calls_back", "creates", "externals", "opens", "spins", "unknown", "waits")
+    __slots__ = ("callees", "calls_back", "creates", "externals", "opens", "pauses", "spins", "unknown", "waits")
 
     def __init__(self, op: ops.Call, seen: Seen) -> None:
         functions = seen.functions
@@ -38,7 +38,8 @@ class Site:
         self.externals: frozenset[Root] = frozenset(map(of_library, seen.externals))
         self.opens = any(isinstance(f, Native) and f.name.endswith("open") for f in functions)
         self.waits = any(waits(_name(f)) for f in callees(functions))
-        self.spins = any(_spins(f) for f in callees(functions))
+        self.spins = any(_does(f, _SPINNING) for f in callees(functions))
+        self.pauses = any(_does(f, _PAUSING) for f in callees(functions))
 
 
 @final
@@ -180,12 +181,14 @@ def _name(function: Value) -> str:
     return function.name if isinstance(function, (Native, External)) else ""
 
 
-_SPINNING: Final = (Const("spins"), Const("suspends"), Const("waits"))
+_SPINNING: Final = (Const("spins"), Const("suspends"))
+_PAUSING: Final = (Const("waits"),)
 
 
-def _spins(function: Value) -> bool:
+def _does(function: Value, kinds: tuple[Const, ...]) -> bool:
+    """Whether a function spins, or waits, as its model says."""
     if isinstance(function, Native):
-        return function.name == "_rosward.spin"
+        return function.name == "_rosward.spin" and kinds is _SPINNING
     return isinstance(function, Function) and any(
-        isinstance(e, Tuple) and e.items[0] in _SPINNING for e in function.effects
+        isinstance(e, Tuple) and e.items[0] in kinds for e in function.effects
     )

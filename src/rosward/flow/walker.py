@@ -253,7 +253,7 @@ class Walker:
         self.join_beside()
 
     def leave(self) -> None:
-        """What runs has come to its end: others may find what it wrote."""
+        """What runs has come to its end, or lets others run: they may find what it wrote."""
         if self.beside.join(self.memory):
             self.changed = True
             self._beside += 1

@@ -39,6 +39,7 @@ class Callbacks(Protocol):
     """What was scheduled so far, as natives ask for it."""
 
     parallel: bool  # something may run while a callback waits
+    threads: bool  # an executor or a pool has several threads
 
     @property
     def entries(self) -> Sized:

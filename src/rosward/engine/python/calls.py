@@ -13,6 +13,7 @@ from rosward.domain.choice import join, join_all, lost_behaviour, options, reaso
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series, concatenated
+from rosward.domain.suspended import Suspension
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine import activation, declared
@@ -335,10 +336,16 @@ def wait_for(machine: Engine, value: Value) -> Value:
     if value.__class__ is Ref:
         obj = machine.obj(value)
         if obj.kind == "generator":
+            points = obj.payload.points if isinstance(obj.payload, Suspension) else ()
+            if any(p.function.code.is_generator for p in points):  # it yields to who runs the coroutine
+                machine.waits(suspended=True)
             return machine.run_out(value)[1]
+        machine.waits(suspended=True)
         for name in ("__await__", "result"):
             method = attributes.method(machine, value, name) if obj.kind == "instance" else None
             if method is not None:
                 result = call(machine, method, (), {})
                 return wait_for(machine, result) if name == "__await__" and result != value else result
+    else:
+        machine.waits(suspended=True)
     return value if value.__class__ is Unknown else machine.unknown(Cause.CALL, "await")

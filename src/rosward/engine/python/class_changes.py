@@ -54,6 +54,10 @@ def _give_methods(machine: Engine, ref: Ref, cls: Class) -> None:
         if not all(_is_plain(v) for v in (before, after)):
             if after.__class__ is Descriptor and after.kind == "property":  # whoever asks for it runs it
                 machine.schedule(after.getter, (ref,), BY_PYTHON)
+                if after.setter is not None:
+                    machine.schedule(
+                        after.setter, (ref, machine.unknown(Cause.CALL, f"new value of {name}")), BY_PYTHON
+                    )
                 obj = obj.with_attr(
                     name, machine.unknown(Cause.CALL, f"property of an object of another class: {name}")
                 )

@@ -48,6 +48,8 @@ def callbacks(machine: Engine) -> Iterator[Value]:
     for cls, objects in _objects(machine).items():
         receiver = join_all(objects)
         for function in _uncalled(machine, cls):
+            if function.code.name == "__del__":  # it may find what a callback has left that was interrupted
+                machine.schedule_book.parallel = True
             yield BoundMethod(receiver, function)
 
 

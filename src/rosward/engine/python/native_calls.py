@@ -86,6 +86,7 @@ _ASKED: Final = {
             "divmod",
             "pow",
             "dir",
+            "iter",
         )
     },
     **dict.fromkeys(("builtins.bin", "builtins.hex", "builtins.oct", "builtins.chr", "operator.index"), "__index__"),
@@ -93,12 +94,16 @@ _ASKED: Final = {
     "operator.neg": "__neg__",
 }
 """Builtins that ask an object by a method of its own."""
+_OF_TWO: Final = {"builtins.pow": "__rpow__", "builtins.divmod": "__rdivmod__"}
+"""Those that ask the second one by another method, where the first has none."""
 
 
 def _of_each(machine: Engine, native: NativeFunction, call: NativeCall) -> Value:
     """What a builtin does that asks an object: of several, it asks one."""
     method, asked = _ASKED.get(call.name), call.args[0] if call.args else NONE
     if method is None or not one_has(machine, asked, method):
+        if call.name in _OF_TWO and len(call.args) == 2 and one_has(machine, call.args[1], _OF_TWO[call.name]):
+            return each_apart(machine, options(call.args[1]), lambda o: perform(native, _with(call, (asked, o))))
         return perform(native, call)
     return each_apart(machine, options(asked), lambda o: perform(native, _to(call, o)))
 
@@ -128,9 +133,11 @@ def _on_contents(machine: Engine, native: NativeFunction, call: NativeCall) -> V
 
 def _to(call: NativeCall, receiver: Value) -> NativeCall:
     """The call of the same method, of another object."""
-    return NativeCall(
-        call.machine, call.name, Arguments((receiver, *call.args[1:])), call.keywords, call.loose, call.unsure
-    )
+    return _with(call, (receiver, *call.args[1:]))
+
+
+def _with(call: NativeCall, args: tuple[Value, ...]) -> NativeCall:
+    return NativeCall(call.machine, call.name, Arguments(args), call.keywords, call.loose, call.unsure)
 
 
 def flattened(args: tuple[Value, ...], keywords: dict[str, Value]) -> tuple[tuple[Value, ...], dict[str, Value]]:

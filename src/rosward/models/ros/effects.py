@@ -89,7 +89,8 @@ def _sleep(call: NativeCall) -> Value:
 
 def _beside(call: NativeCall) -> Value:
     """`_rosward.beside()`: from now on callbacks run beside one another."""
-    call.machine.schedule_book.parallel = True
+    book = call.machine.schedule_book
+    book.parallel = book.threads = True
     return NONE
 
 

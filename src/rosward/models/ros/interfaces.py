@@ -59,8 +59,18 @@ def _interface_of(machine: Machine, cls: Value) -> str:
         return ""
     if not any(machine.interface_definition(cls.name + part) for part in ("", ".Request", ".Goal")):
         return ""
-    message = message_name(cls.name)
-    return message.dotted if message is not None else ".".join(n for n in cls.name.split(".") if not n.startswith("_"))
+    return public_name(cls.name)
+
+
+def public_name(dotted: str) -> str:
+    """The name under which programs import the class of an interface, however one has come to it."""
+    message = message_name(dotted)
+    return message.dotted if message is not None else ".".join(n for n in dotted.split(".") if not n.startswith("_"))
+
+
+def is_of_interfaces(dotted: str) -> bool:
+    """Whether a dotted name is one in a module of interfaces (`package.msg`)."""
+    return dotted.partition(".")[2].partition(".")[0] in PARTS
 
 
 def message_name(dotted: str) -> MessageName | None:

@@ -32,6 +32,9 @@ def zip(*iterables, strict=False):
         for iterator in iterators:
             value = next(iterator, _END)
             if value is _END:
+                if strict and not row:  # whether the others end, too
+                    for other in iterators[1:]:
+                        next(other, _END)
                 return
             row.append(value)
         yield tuple(row)

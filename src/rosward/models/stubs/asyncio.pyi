@@ -220,7 +220,7 @@ async def wait_for(fut, timeout):
 def shield(arg):
     return ensure_future(arg)
 def as_completed(fs, *, timeout=None):
-    return iter(list(fs))
+    return iter([ensure_future(one) for one in fs])
 async def to_thread(func, /, *args, **kwargs):
     return func(*args, **kwargs)
 @reads_only

@@ -14,6 +14,8 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
+from rosward.models.python.asked import is_own
+from rosward.models.python.builtins.attributes import has_attribute
 from rosward.models.python.builtins.lazy import acts, lazily, shared, stepped
 from rosward.models.python.containers.lists import ITERATOR, order, write_series
 from rosward.models.python.containers.views import renewed
@@ -66,7 +68,7 @@ def _enumerate(call: NativeCall) -> Value:
 
 def _zip(call: NativeCall) -> Value:
     if shared(call, call.args):
-        return lazily(call, "zip", *call.args)
+        return lazily(call, "zip", *call.args, **call.keywords)
     columns = [call.machine.iterate(a) for a in call.args]
     if call.loose is not None:  # `zip(*rows)`: rows of unknown length
         cells = (element for c in (*columns, call.machine.iterate(call.loose)) for element in all_of(c))
@@ -130,12 +132,22 @@ def _reversed(call: NativeCall) -> Value:
 def _iter(call: NativeCall) -> Value:
     if len(call.args) > 1:
         return lazily(call, "iter_calls", *call.args[:2])
-    first = call.args[0]
-    if isinstance(first, Ref):
-        obj = call.machine.obj(first)
+    return spread(lambda value: _iterator_of(call.machine, value), call.args[0])
+
+
+def _iterator_of(machine: Machine, value: Value) -> Value:
+    """What an object of the program gives is not asked for its elements yet."""
+    if isinstance(value, Ref):
+        obj = machine.obj(value)
         if obj.payload == ITERATOR or obj.kind == "generator":
-            return first
-    return iterator(call.machine, call.machine.series(first))
+            return value
+        if obj.kind == "instance" and has_attribute(machine, value, "__iter__") and is_own(machine, value, "__iter__"):
+            made = machine.call(machine.load_attr(value, "__iter__"), ())
+            if made is UNBOUND or all(machine.is_stepped(o) for o in options(made)):
+                return made
+            if made != value:
+                return spread(lambda v: _iterator_of(machine, v), made)
+    return iterator(machine, machine.series(value))
 
 
 def _next(call: NativeCall) -> Value:

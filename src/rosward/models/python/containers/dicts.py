@@ -20,6 +20,7 @@ from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.contents import bare, plain_data
 from rosward.models.python.operators.compare import compares, equal, row_of
 from rosward.models.python.plain import Raised, all_of, key_shown, native, origins, unknown_from, with_origins
+from rosward.models.ros.interfaces import is_of_interfaces, public_name
 from rosward.records import NamedTuple
 
 MAX_ENTRIES: Final = 2_000
@@ -33,6 +34,8 @@ def key_of(value: Value) -> Value | None:
     if isinstance(value, Tuple):
         items = [key_of(v) for v in value.items]
         return None if None in items else Tuple(tuple(v for v in items if v is not None))
+    if isinstance(value, External) and "._" in value.name and is_of_interfaces(value.name):
+        return External(public_name(value.name))
     return value if isinstance(value, _IDENTITIES) else None
 
 

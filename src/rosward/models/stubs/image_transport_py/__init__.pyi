@@ -4,7 +4,7 @@
 Read from ros-perception/image_common 6.0.1 (rolling, 2024-10): image_transport_py/src and image_transport/src.
 """
 
-from _rosward import create, create_node, message, reads_only, schedule, unknown
+from _rosward import beside, create, create_node, message, reads_only, schedule, unknown
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 
 reads_only(__name__)
@@ -40,6 +40,7 @@ class CameraSubscriber:
 
 class ImageTransport:
     def __init__(self, node_name, image_transport="", launch_params_filepath=""):
+        beside()  # a thread of its own spins that node
         create_node(
             self,
             node_name,

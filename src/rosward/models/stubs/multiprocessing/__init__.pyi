@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`multiprocessing`: a process is a thread that shares nothing."""
-from _rosward import either, raises_nothing, reads_only, schedule, spin, unknown
+from _rosward import beside, either, raises_nothing, reads_only, schedule, spin, unknown
 from queue import Queue as _Queue
 from threading import Thread, Timer, Condition, Event, Semaphore, BoundedSemaphore, Barrier, Lock, RLock
 
@@ -41,7 +41,8 @@ class Pool:
         return func(*args, **kwds)
     def apply_async(self, func, args=(), kwds={}, callback=None, error_callback=None):
         value = func(*args, **kwds)
-        if callback is not None:
+        if callback is not None:  # in a thread of the program
+            beside()
             callback(value)
         return _Result(value)
     def map(self, func, iterable, chunksize=None):
@@ -49,6 +50,7 @@ class Pool:
     def map_async(self, func, iterable, chunksize=None, callback=None, error_callback=None):
         value = [func(value) for value in iterable]
         if callback is not None:
+            beside()
             callback(value)
         return _Result(value)
     def imap(self, func, iterable, chunksize=1):
@@ -60,6 +62,7 @@ class Pool:
     def starmap_async(self, func, iterable, chunksize=None, callback=None, error_callback=None):
         value = [func(*value) for value in iterable]
         if callback is not None:
+            beside()
             callback(value)
         return _Result(value)
     @reads_only

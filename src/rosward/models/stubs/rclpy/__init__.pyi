@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import asks_all, before_sources, exact_calls, overridden, spins, spun
+from _rosward import asks_all, before_sources, beside, exact_calls, overridden, spins, spun
 
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
@@ -86,9 +86,19 @@ def create_node(
     )
 
 
+def _by(executor):
+    """One that is not known may have several threads."""
+    from rclpy.executors import Executor
+
+    if not isinstance(executor, Executor):
+        beside()
+
+
 @spins
 def spin_once(node, *, executor=None, timeout_sec=None):
     spun(node)
+    if executor is not None:
+        _by(executor)
     if overridden(executor, *_BY_SPINNING):
         executor.add_node(node)
         executor.spin_once(timeout_sec=timeout_sec)
@@ -98,6 +108,8 @@ def spin_once(node, *, executor=None, timeout_sec=None):
 @spins
 def spin(node, executor=None):
     spun(node)
+    if executor is not None:
+        _by(executor)
     if overridden(executor, *_BY_SPINNING):
         executor.add_node(node)
         executor.spin_once()
@@ -107,6 +119,8 @@ def spin(node, executor=None):
 @spins
 def spin_until_future_complete(node, future, executor=None, timeout_sec=None):
     spun(node)
+    if executor is not None:
+        _by(executor)
     if overridden(executor, *_BY_SPINNING):
         executor.add_node(node)
         executor.spin_until_future_complete(future, timeout_sec)

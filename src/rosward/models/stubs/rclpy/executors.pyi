@@ -41,6 +41,8 @@ class Executor:
     )
     def __init__(self, *, context=None):
         self._nodes = []
+        if type(self) is not SingleThreadedExecutor:  # several threads, or a class of the program, which may start some
+            beside()
         ask(self, "wake")
 
     @property
@@ -134,7 +136,6 @@ class MultiThreadedExecutor(Executor):
     )
     def __init__(self, num_threads=None, *, context=None):
         super().__init__(context=context)
-        beside()
 
     @spins
     def spin_once(self, timeout_sec=None):

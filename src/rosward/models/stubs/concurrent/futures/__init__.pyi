@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`concurrent.futures`: what is submitted runs in a thread; its result is what the function returns."""
-from _rosward import reads_only, schedule, unknown
+from _rosward import beside, reads_only, schedule, unknown
 
 FIRST_COMPLETED = 'FIRST_COMPLETED'
 FIRST_EXCEPTION = 'FIRST_EXCEPTION'
@@ -64,6 +64,7 @@ class Executor:
 
 class ThreadPoolExecutor(Executor):
     def __init__(self, max_workers=None, thread_name_prefix='', initializer=None, initargs=()):
+        beside()
         if initializer is not None:
             initializer(*initargs)
 class ProcessPoolExecutor(Executor):
