@@ -9,55 +9,29 @@ which it is called so, in turns, until nothing changes any more.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Final, final
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join_all, widen
-from rosward.domain.memory import Heap
+from rosward.domain.choice import join_all
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Function, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.catcher import Catcher
+from rosward.engine.cpp.guess import Arguments, Call, Guess
 from rosward.engine.cpp.linked import linked
 from rosward.engine.summaries import Summary
 from rosward.engine.throwing import rethrow
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
-    from rosward.domain.state import Merge
     from rosward.engine.machine import Engine
 
-__all__ = ["Guess", "each", "is_guess"]
+__all__ = ["each", "is_guess"]
 
 _FEW: Final = 3
 """So many functions that may be meant are followed as any others."""
 _KEY: Final = "guess"
-Arguments = tuple[Value, ...]
-Call = Callable[[Function, Arguments], Value]
-
-
-@final
-class Guess:
-    """What is known so far of all functions that calls within such a call may mean."""
-
-    __slots__ = ("after", "before", "calls", "catcher", "joined", "merge", "values")
-
-    def __init__(self, catcher: Catcher, reason: Reason) -> None:
-        self.before: State | None = None  # any state in which one of them is called
-        self.joined: Heap | None = None  # the heap that `before` was joined with last
-        self.after: State | None = None  # and any that one leaves
-        self.calls: dict[str, tuple[Function, Call, Arguments]] = {}  # by the code of functions
-        self.values: dict[str, Value] = {}  # what they give
-        self.catcher = catcher  # what leaves them by exceptions
-        self.merge: Merge = lambda old, new: widen(old, new, reason)
-
-    @property
-    def version(self) -> tuple[object, ...]:
-        """What must not change any more."""
-        before, after = (-1 if state is None else state.version for state in (self.before, self.after))
-        thrown = self.catcher.level, tuple(self.catcher.arrivals), self.catcher.snapshot.state.version
-        return before, after, tuple(self.calls), tuple(self.values.items()), thrown
 
 
 def is_guess(machine: Engine, chosen: Sequence[Function], args: Arguments) -> bool:

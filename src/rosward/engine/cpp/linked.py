@@ -15,7 +15,7 @@ from rosward.domain.values import NONE, Class, Function, ModuleValue, Ref, Value
 from rosward.ir.symbols import Scope, Symbol, Symbols
 
 if TYPE_CHECKING:
-    from rosward.engine.cpp.guessing import Guess
+    from rosward.engine.cpp.guess import Guess
     from rosward.engine.machine import Engine
     from rosward.source.location import Place
 
