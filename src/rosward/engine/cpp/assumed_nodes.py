@@ -7,7 +7,7 @@ blackboard->get<Node::SharedPtr>("node")->create_publisher<String>("out", 10);  
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from rosward.domain.compound import External
 from rosward.domain.heap import Obj
@@ -16,15 +16,13 @@ from rosward.domain.values import Class, Ref, Unknown, Value
 from rosward.engine.cpp import construct, names
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.values import overloads
-from rosward.models.cpp.facts import ASSUMED_NODE, GENERIC, TYPED
+from rosward.models.cpp.facts import ADAPTED, ASSUMED_NODE, GENERIC, TYPED
 from rosward.models.ros.interfaces import is_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 __all__ = ["method"]
-
-_ADAPTED: Final = "rclcpp.TypeAdapter"
 
 
 def method(machine: Engine, owner: Value, name: str, types: tuple[Value, ...]) -> Overloads | None:
@@ -48,5 +46,5 @@ def method(machine: Engine, owner: Value, name: str, types: tuple[Value, ...]) -
 
 def _is_interface(type_: Value) -> bool:
     if isinstance(type_, Class):
-        return type_.dotted.startswith(_ADAPTED)
+        return type_.dotted.startswith(ADAPTED)
     return isinstance(type_, Unknown) or (isinstance(type_, External) and is_interface(type_.name))
