@@ -4,6 +4,7 @@
     add_executable(talker src/talker.cpp)                            demo/talker: `main`
     rclcpp_components_register_node(pump PLUGIN "demo::Pump" …)      demo/demo::Pump: a container makes one
     a source with `main` that no CMakeLists.txt is about             named after its file
+    a source that registers a component and is of no package         named after the class
 
 Nothing is read before a process asks for its program; a workspace without C++ does not even load the parser.
 """
@@ -12,7 +13,6 @@ from __future__ import annotations
 
 import importlib.util
 import os
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Final, final
@@ -22,6 +22,7 @@ from rosward.analysis.linked_functions import LinkedFunction, creating_functions
 from rosward.analysis.plugins import Plugins, plugins_of
 from rosward.analysis.ros_headers import RosHeaders
 from rosward.analysis.unlinked import Unlinked, unlinked_libraries
+from rosward.analysis.unpacked import MAIN, REGISTERED, components_of
 from rosward.effects.entry import Entry
 from rosward.findings import Finding, Findings
 from rosward.frontends.cpp.headers import Headers
@@ -43,10 +44,6 @@ if TYPE_CHECKING:
     from rosward.frontends.cpp.symbols import CppSymbols
     from rosward.ros.distro import Distro
 
-_MAIN: Final = re.compile(r"\bmain\s*\(")
-_REGISTERED: Final = re.compile(
-    r"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE(?:_WITH_FACTORY)?\s*\(\s*([\w:]+)", re.MULTILINE
-)
 _LOADER: Final = "pluginlib/class_loader"
 _PLUGINS: Final = "pluginlib/workspace.hpp"
 _HOSTS: Final = dict.fromkeys(
@@ -314,7 +311,9 @@ class Compiled:
                 planned = Planned(entry, program.units, any(ros.reached(u.path, u.includes) for u in program.units))
                 (components if entry.assumed else found).append(planned)
         alone = [f for f in self._workspace.cpp_sources if id(f.package) not in built]
-        return [*found, *self._alone(alone, builds, ros), *components]
+        texts = {f: text if isinstance(text := self._headers.read(os.fspath(f.path)), str) else "" for f in alone}
+        unpacked = (Planned(*each, True) for each in components_of(texts, lambda file: self._unit(file, builds)))
+        return [*found, *self._alone(texts, builds, ros), *components, *unpacked]
 
     def _entry(self, program: Program) -> Entry:
         """The process of a program; a component that no executable is made for is assumed to be loaded by somebody."""
@@ -342,15 +341,18 @@ class Compiled:
             text = self._headers.read(os.fspath(file.path))
             if isinstance(text, Finding):
                 continue
-            for match in _REGISTERED.finditer(text):
+            for match in REGISTERED.finditer(text):
                 if match[1].removeprefix("::") not in plugins:
                     message = f"{match[1]} is registered as a component, but not with CMake: no container can load it."
                     yield Finding("RW009", message, Place(file.relative, text.count("\n", 0, match.start()) + 1))
 
-    def _alone(self, files: Sequence[SourceFile], builds: Builds, ros: RosHeaders) -> Iterator[Planned]:
+    def _unit(self, file: SourceFile, builds: Builds) -> Unit:
+        """A source that no build is known for."""
+        return builds.alone(os.fspath(file.path), tuple(_include_folders(file, self._workspace)))
+
+    def _alone(self, files: Mapping[SourceFile, str], builds: Builds, ros: RosHeaders) -> Iterator[Planned]:
         """Sources with `main` that no build is known for, each with the sources beside it that have none."""
-        texts = {file: self._headers.read(os.fspath(file.path)) for file in files}
-        starts = {f: None for f, text in texts.items() if isinstance(text, str) and _MAIN.search(text)}
+        starts = {f: None for f, text in files.items() if MAIN.search(text)}
         others: dict[Path, list[SourceFile]] = {}
         for file in files:
             if file not in starts:

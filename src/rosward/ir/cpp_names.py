@@ -230,12 +230,13 @@ class MakeType(Op):
 
 ELEMENT: Final = "*"
 UNDER: Final = "[]"
+MAPPED: Final = "[second]"
 
 
 @final
 class TypeOfValue(Op):
     """dst = the type of the value at a slot: `decltype(x)`, `typeid(x)`; with `member`, that of this member of the type in `src`, or of the elements
-    of such a container: of those that a loop runs over (ELEMENT), or that stand under an index or key (UNDER)."""
+    of such a container: of those that a loop runs over (ELEMENT), or that stand under an index or key (UNDER), of a map alone (MAPPED)."""
 
     __slots__ = ("dst", "member", "src")
 

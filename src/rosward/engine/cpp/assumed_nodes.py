@@ -16,8 +16,8 @@ from rosward.domain.values import Class, Ref, Unknown, Value
 from rosward.engine.cpp import construct, names
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.values import overloads
-from rosward.models.cpp.facts import ASSUMED_NODE, GENERIC, TYPED
-from rosward.models.ros.interfaces import message_name
+from rosward.models.cpp.facts import ADAPTED, ASSUMED_NODE, GENERIC, TYPED
+from rosward.models.ros.interfaces import is_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -45,4 +45,6 @@ def method(machine: Engine, owner: Value, name: str, types: tuple[Value, ...]) -
 
 
 def _is_interface(type_: Value) -> bool:
-    return isinstance(type_, Unknown) or (isinstance(type_, External) and message_name(type_.name) is not None)
+    if isinstance(type_, Class):
+        return type_.dotted.startswith(ADAPTED)
+    return isinstance(type_, Unknown) or (isinstance(type_, External) and is_interface(type_.name))

@@ -124,13 +124,12 @@ def _of_several(
     if not chosen:
         return unknown_call(machine, External(several.name), args, types)
 
-    def one(function: Value) -> Value:
-        assert isinstance(function, Function)
+    def one(function: Function, given: Arguments = args) -> Value:
         receiver = (several.receiver,) if several.receiver is not None and _leads(function) else ()
-        return call_function(machine, function, (*receiver, *args), keywords, types)
+        return call_function(machine, function, (*receiver, *given), keywords, types)
 
     if several.receiver is None and guessing.is_guess(machine, chosen, args):
-        return guessing.each(machine, several.name, chosen, one)
+        return guessing.each(machine, several.name, chosen, args, one)
     return one(chosen[0]) if len(chosen) == 1 else each_apart(machine, list(chosen), one)
 
 

@@ -16,7 +16,7 @@ from rosward.engine.cpp import names
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import is_message
-from rosward.ir.cpp_names import ELEMENT, UNDER
+from rosward.ir.cpp_names import ELEMENT, MAPPED, UNDER
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.traits import NO_TYPE, SOME_TYPE
 from rosward.models.cpp.types import Shape, argument, name_of, shape_of
@@ -36,7 +36,7 @@ _PLAIN: Final = frozenset({Shape.INT, Shape.FLOAT, Shape.BOOL, Shape.CHAR, Shape
 
 def member_type(machine: Engine, type_: Value, name: str) -> Value:
     """The type of the member of a type; `NO_TYPE` where it has none."""
-    if name in (ELEMENT, UNDER):
+    if name in (ELEMENT, UNDER) or (name == MAPPED and name_of(type_) in _MAPS):
         return lift(lambda each: _element(each, name), type_)
     return lift(lambda each: _member_type(machine, each, name), type_)
 
@@ -64,9 +64,9 @@ def _member_type(machine: Engine, type_: Value, name: str) -> Value:
 def _element(type_: Value, which: str) -> Value:
     """The type of the elements of a container; none where it is none, or where these are pairs."""
     name = name_of(type_)
-    if isinstance(type_, TypeOf) and (name == "array" or name in _SEQUENCES):
+    if which != MAPPED and isinstance(type_, TypeOf) and (name == "array" or name in _SEQUENCES):
         return argument(type_, 0)
-    return argument(type_, 1) if which == UNDER and name in _MAPS and isinstance(type_, TypeOf) else NONE
+    return argument(type_, 1) if which != ELEMENT and name in _MAPS and isinstance(type_, TypeOf) else NONE
 
 
 def lacks(machine: Engine, cls: Class, name: str) -> bool:

@@ -15,6 +15,7 @@ from rosward.domain.values import NONE, Class, Function, ModuleValue, Ref, Value
 from rosward.ir.symbols import Scope, Symbol, Symbols
 
 if TYPE_CHECKING:
+    from rosward.engine.cpp.guess import Guess
     from rosward.engine.machine import Engine
     from rosward.source.location import Place
 
@@ -125,7 +126,7 @@ class Linked:
         "fixed",
         "found",
         "functions",
-        "guessed",
+        "guess",
         "hiding",
         "infos",
         "instances",
@@ -163,7 +164,7 @@ class Linked:
         self.fields: dict[tuple[int, str], Value] = {}  # the types of fields, by class and the name in its objects
         self.enumerations: dict[str, bool] = {}  # which types are enumerations
         self.evaluating: set[tuple[str, int]] = set()
-        self.guessed: dict[str, Value | None] = {}  # `guessing`: by the code of functions
+        self.guess: Guess | None = None  # that which is being followed
         self.constructing: list[
             tuple[int, Class]
         ] = []  # objects whose constructors run, with the class that they are as yet

@@ -7,6 +7,8 @@ from typing import Final
 
 ASSUMED_NODE: Final = ("rclcpp", "AssumedNode")
 """The class that stands for a node of which nothing is known but that entities are created on it."""
+ADAPTED: Final = "rclcpp.TypeAdapter"
+"""How the classes begin that say for a type of a program which interface it is sent as."""
 TYPED: Final = frozenset({"create_client", "create_publisher", "create_service", "create_subscription"})
 """Methods that create an entity of the interface that is their first template argument."""
 GENERIC: Final = frozenset(

@@ -84,3 +84,9 @@ def message_name(dotted: str) -> MessageName | None:
         name, _, part = inner[0].rpartition("_") if kind != "msg" else (inner[0], "", "")
         inner = [name, part]
     return MessageName(package, kind, inner[0], inner[1]) if len(inner) == 2 and inner[1] in PARTS[kind] else None
+
+
+def is_interface(dotted: str) -> bool:
+    """Whether a dotted name is that of a message, a service or an action, or of a part of one."""
+    _, kind, name, *_ = (*dotted.split("."), "", "", "")
+    return kind in PARTS and name[:1].isupper()

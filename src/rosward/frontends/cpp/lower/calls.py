@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final, Literal
 
 from rosward.frontends.cpp.lower.body import Body, Want
+from rosward.frontends.cpp.lower.compared import compared
 from rosward.frontends.cpp.lower.initialisers import arguments, construct, given
 from rosward.frontends.cpp.lower.names import last_part, name, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.operators import binary, choose, target, through_pointer
@@ -51,6 +52,9 @@ def _call(body: Body, node: Node, want: Want) -> int:
         cast = _CASTS.get(word(function.child_by_field_name("name")))
         if cast is not None:
             return _cast(body, node, function, listed, cast)
+        comparison = compared(body, node, function, listed)
+        if comparison is not None:
+            return comparison
     if function.type in ("identifier", "qualified_identifier", "template_function"):
         func = name(body, function, "value")
     else:

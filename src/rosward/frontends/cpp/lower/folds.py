@@ -103,8 +103,15 @@ def _fold(body: Body, node: Node, _want: Want) -> int:
 
 
 def _size(body: Body, node: Node, _want: Want) -> int:
-    """`sizeof...(pack)`: one for each item, added. How large a type is, no one can say."""
+    """`sizeof...(pack)`: one for each item, added. How large a type is, no one can say, but for an array of characters (`char text[32]`)."""
     name = node.child_by_field_name("value")
+    inner = name.named_children[0] if name is not None and name.type == "parenthesized_expression" else name
+    variable = body.variable(word(inner)) if inner is not None and inner.type == "identifier" else None
+    if variable is not None and variable.buffer and variable.written is not None:
+        shape = variable.written[1]
+        size = shape.child_by_field_name("size") if shape is not None and shape.type == "array_declarator" else None
+        if size is not None and size.type == "number_literal":
+            return body.value(size)
     if name is None or not any(child.type == "..." for child in node.children) or not _packs(body, name):
         return body.unknown(node, "language", "sizeof")
     item, dst = body.register(), body.register()

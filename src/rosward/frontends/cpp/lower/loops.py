@@ -34,12 +34,14 @@ from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.control import Break, ForEach, If, While
 from rosward.ir.core import NO_REGISTER, Compare
 from rosward.ir.cpp import Convert, Copy, Elements
+from rosward.ir.cpp_names import ELEMENT, MAPPED
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 _STEP: Final = 200
 """Nodes in what is done before each turn, which is lowered once for each `continue`."""
+_PAIR: Final = 2
 _AUTO: Final = frozenset({"placeholder_type_specifier", "auto"})
 
 
@@ -184,7 +186,7 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
         if type_node is not None and type_node.type not in _AUTO:
             kind = declared_type(body, type_node, shape)
         body.emit(Copy(*place, src, item, kind))
-    names = shape
+    names, over = shape, node.child_by_field_name("right")
     for _ in range(DECLARATORS):
         inner = None if names.type == "structured_binding_declarator" else within(names)
         if inner is None:
@@ -192,6 +194,9 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
         names = inner
     if names.type == "structured_binding_declarator":
         bind(body, node, shape, names, src)
+        second = body.variable(word(names.named_children[-1])) if len(names.named_children) == _PAIR else None
+        if second is not None and over is not None:
+            second.over = over, MAPPED
         return
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
     if kind != NO_REGISTER:
@@ -203,7 +208,7 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
     )
     is_auto = type_node is None or type_node.type in _AUTO
     found.written = None if type_node is None or is_auto else (type_node, shape)
-    found.over = node.child_by_field_name("right") if is_auto else None
+    found.over = (over, ELEMENT) if is_auto and over is not None else None
     body.write(node, found, src)
     body.free_register = body.floor
 

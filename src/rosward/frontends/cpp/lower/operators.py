@@ -66,7 +66,10 @@ def binary(body: Body, node: Node, want: Want) -> int:
         chain.append(left)
         left = left.child_by_field_name("left")
     counted = _counted(chain[-1])
-    if counted is None:
+    of = body.variable(word(counted)) if counted is not None and counted.type == "identifier" else None
+    if of is not None and of.buffer:  # of characters, each of which has the size 1
+        value = body.value(chain.pop().child_by_field_name("left"))
+    elif counted is None:
         value = _operand(body, left, operator_of(chain[-1]), "<<", ">>")
     else:
         value = _size(body, chain.pop(), counted)

@@ -16,13 +16,14 @@ from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, declared_type, has, type_of
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp import Copy, Declared, TypeOfValue
-from rosward.ir.cpp_names import ELEMENT, UNDER
+from rosward.ir.cpp_names import MAPPED, UNDER
 from rosward.ir.op import Block
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 _DEPTH: Final = 20
+_LEADING: Final = frozenset({"field_expression", "pointer_expression"})
 _ONE_OF: Final = frozenset({"at", "back", "front"})
 _PLAIN: Final = re.compile(
     r"(?:const\s+)?std::\w+<\s*(?:const\s+)?(?:std::(?:string|\w+_t)|rclcpp\w*::[\w:]*|bool|char|double|float|int|long|u?int\d+_t)\b[^,]*\Z"
@@ -52,7 +53,7 @@ def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Blo
     if variable is None:
         return _of_own(body, node, place)
     if variable.over is not None:
-        return _element(body, variable.over, place, ELEMENT)
+        return _element(body, variable.over[0], place, variable.over[1])
     written = variable.written
     if written is None or variable.raw or (written[0].text or b"").startswith(_LIBRARIES):
         return [], NO_REGISTER
@@ -68,7 +69,14 @@ def _of_own(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]
 
 
 def _part(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]:
-    """The type of `v[0]`, `v.front()`: of an element of what has a name."""
+    """The type of `v[0]`, `v.front()`: of an element of what has a name; and of `o.pointer`, of which a member is asked."""
+    if node.type == "field_expression":
+        owner, around = node.child_by_field_name("argument"), node.parent
+        variable = body.variable(word(owner)) if owner is not None and owner.type == "identifier" else None
+        if variable is not None and variable.over is not None and word(node.child_by_field_name("field")) == "second":
+            return _element(body, variable.over[0], place, MAPPED)
+        leads = around is not None and around.type in _LEADING and word(around.children[1]) != "."
+        return _of_field(body, node) if leads else ([], NO_REGISTER)
     if node.type == "subscript_expression":
         return _element(body, node.child_by_field_name("argument"), place, UNDER)
     function = node.child_by_field_name("function") if node.type == "call_expression" else None
@@ -79,10 +87,12 @@ def _part(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]:
 
 def _element(body: Body, node: Node | None, place: tuple[int, int], which: str) -> tuple[Block, int]:
     """The type of the elements of a container that is a variable or a field."""
-    if node is None or node.type != "identifier":
+    if node is None or node.type not in ("identifier", "field_expression"):
         return [], NO_REGISTER
-    variable = body.variable(word(node))
-    if variable is None:
+    variable = body.variable(word(node)) if node.type == "identifier" else None
+    if node.type == "field_expression":
+        block, whole = _of_field(body, node)
+    elif variable is None:
         block, whole = _of_own(body, node, place)
     elif variable.written is None or variable.raw or _PLAIN.match((variable.written[0].text or b"").decode()):
         return [], NO_REGISTER
