@@ -15,7 +15,8 @@ _GONE = False  # no variable is
 class _Environ:
     """`os.environ`: unknown until the user, the deployment or the program itself sets a variable."""
     def __init__(self):
-        self._set = {}
+        self._set = {}  # by the program,
+        self._gone = {}  # or removed by it
     def _known(self, key):
         """What the variable is, `_GONE` where it is not set, None where that is not known."""
         launched = variable(key)
@@ -25,36 +26,41 @@ class _Environ:
             return _GONE
         if key in self._set:
             return self._set[key]
+        if key in self._gone:
+            return _GONE
         return _GONE if unset(key) else environment(key)
     @source("env")
     def __getitem__(self, key):
+        if key in self._set and variable(key) is None:
+            return self._set[key]
         known = self._known(key)
-        if isinstance(known, str):
-            return known
         if known is _GONE:
             raise KeyError(key)
         return unknown('environment', key, 'str') if known is None else known
     @source("env")
     def get(self, key, default=None):
+        if key in self._set and variable(key) is None:
+            return self._set[key]
         known = self._known(key)
-        if isinstance(known, str):
-            return known
         if known is _GONE:
             return default
         return _read(key, default) if known is None else known
     def setdefault(self, key, default=None):
         value = self.get(key, default)
         self._set[key] = value
+        self._gone.pop(key, None)
         return value
     def pop(self, key, *default):
         value = self.get(key, *default)
         self._remove(key)
         return value
     def _remove(self, key):
-        self._set[key] = _GONE
+        self._set.pop(key, None)
+        self._gone[key] = True
         set_variable(key, None)
     def __setitem__(self, key, value):
         self._set[key] = value
+        self._gone.pop(key, None)
         set_variable(key, value)
     def __delitem__(self, key):
         self._remove(key)
