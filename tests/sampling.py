@@ -12,5 +12,9 @@ import pytest
 
 
 def sample(values: Iterable[object], one_in: int) -> list[object]:
-    """The values, of which every `one_in`-th runs always, the first of all among them."""
-    return [value if n % one_in == 0 else pytest.param(value, marks=pytest.mark.slow) for n, value in enumerate(values)]
+    """The values (tuples, of several parameters), of which every `one_in`-th runs always, the first of all among them."""
+
+    def slow(value: object) -> object:
+        return pytest.param(*(value if isinstance(value, tuple) else (value,)), marks=pytest.mark.slow)
+
+    return [value if n % one_in == 0 else slow(value) for n, value in enumerate(values)]

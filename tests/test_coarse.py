@@ -46,7 +46,7 @@ def lines(text: list[str]) -> list[Line]:
     return [Line(t) for t in text if t.split()[0] in {"node", *WORDS.values()}]
 
 
-@pytest.mark.parametrize("case", sample(CASES, 16), ids=lambda case: case.name)
+@pytest.mark.parametrize("case", sample(CASES, 32), ids=lambda case: case.name)
 def test_covers_the_precise_result(case: Case, tmp_path: Path) -> None:
     """Whatever is expected of a program is covered, or told to be missing."""
     write_files(case, tmp_path)

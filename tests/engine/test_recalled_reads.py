@@ -8,6 +8,7 @@ from textwrap import indent
 from typing import Final
 
 import pytest
+from sampling import sample
 
 import rosward
 from rosward.engine import recalled, schedule
@@ -63,7 +64,7 @@ def _told(folder: Path) -> tuple[str, set[str]]:
     return network_json(network), {topic.name for topic in network.topics}
 
 
-@pytest.mark.parametrize("name", _PROGRAMS)
+@pytest.mark.parametrize("name", sample(_PROGRAMS, 4))
 def test_what_is_read_counts(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     made, before, inside = _PROGRAMS[name]
     (tmp_path / "main.py").write_text(f"{_HEAD}{before}{_NODE}{inside}{_TAIL}", encoding="utf-8")

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from sampling import sample
 
 from models.fake import NATIVES, REASON, FakeMachine, abstract, covers, text
 from models.test_strings import fillings, outcome
@@ -387,7 +388,7 @@ KINDS: tuple[Callable[[FakeMachine], Value], ...] = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", sorted(NATIVES))
+@pytest.mark.parametrize("name", sample(sorted(NATIVES), 4))
 @given(data=st.data())
 def test_no_argument_makes_a_native_fail(name: str, data: st.DataObject) -> None:
     machine = FakeMachine()
