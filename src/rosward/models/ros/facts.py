@@ -21,11 +21,11 @@ OWN: Final = LibraryFacts(
             ("ActionServer", "rclpy"),
             ("BasicNavigator", "nav2_simple_commander"),
             ("BufferClient", "tf2_ros"),
+            ("InteractiveMarkerServer", "interactive_markers"),
             ("StaticTransformBroadcaster", "tf2_ros"),
             ("Subscriber", "message_filters"),
             ("TransformBroadcaster", "tf2_ros"),
             ("TransformListener", "tf2_ros"),
-            ("InteractiveMarkerServer", "interactive_markers"),
             ("Updater", "diagnostic_updater"),
             ("wait_for_message", "rclpy"),
         }
