@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 import pytest
 
@@ -14,7 +15,9 @@ import pytest
 def sample(values: Iterable[object], one_in: int) -> list[object]:
     """The values (plain tuples, of several parameters), of which every `one_in`-th runs always, the first of all among them."""
 
-    def slow(value: object) -> object:
+    def slow(value: Any) -> object:
+        if hasattr(value, "marks"):  # one of `pytest.param`
+            return pytest.param(*value.values, id=value.id, marks=(*value.marks, pytest.mark.slow))
         return pytest.param(*(value if type(value) is tuple else (value,)), marks=pytest.mark.slow)
 
     return [value if n % one_in == 0 else slow(value) for n, value in enumerate(values)]

@@ -24,6 +24,7 @@ def test_what_is_public_is_listed_before_it_is_used() -> None:
     assert all(getattr(rosward, name) is not None for name in rosward.__all__)
 
 
+@pytest.mark.slow
 def test_a_launch_file_is_started_with_its_arguments(tmp_path: Path) -> None:
     """As the command does it: the same network.json."""
     given = {"robots": "a,b"}

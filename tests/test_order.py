@@ -16,7 +16,6 @@ from typing import Any
 
 import pytest
 from casefile import Case, read_cases
-from sampling import sample
 
 import rosward
 from rosward.analysis import read
@@ -111,7 +110,8 @@ def test_the_programs_of_several_files(case: Case, tmp_path: Path) -> None:
             assert written(tmp_path, distro=distro) == expected
 
 
-@pytest.mark.parametrize("all_launch", sample([False, True], 2))
+@pytest.mark.parametrize("all_launch", [False, True])
+@pytest.mark.slow
 def test_the_example(all_launch: bool) -> None:
     request = Request(all_launch=all_launch)
     expected = written(EXAMPLE, request=request)

@@ -125,6 +125,7 @@ def test_the_result_is_the_same(tmp_path: Path, jobs: int, flow: bool) -> None:
 
 
 @pytest.mark.usefixtures("at_once")
+@pytest.mark.slow
 def test_the_example_is_the_same() -> None:
     assert bytes_of(extract(EXAMPLE, jobs=2)) == bytes_of(extract(EXAMPLE))
     assert bytes_of(extract(EXAMPLE, jobs=2, assumed=False)) == bytes_of(extract(EXAMPLE, assumed=False))

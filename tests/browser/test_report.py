@@ -18,6 +18,8 @@ from .reports import chosen, click, drawn, fragment, opened, renewed, settle, sh
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
+pytestmark = pytest.mark.slow
+
 EXAMPLES: Final = Path(__file__).parents[2] / "examples"
 PLANNER: Final = "#n/porter1/delivery_planner"
 
@@ -80,7 +82,6 @@ def test_a_click_on_a_node_tells_everything_about_it(page: Page) -> None:
     assert page.locator("#policies .xml .line.marked").count() == 1
 
 
-@pytest.mark.slow
 def test_a_click_on_a_topic_names_both_sides(page: Page) -> None:
     click(page, "node.topic[label = 'cmd_vel']")
     page.locator("#panel .kind", has_text="topic").wait_for()
@@ -90,7 +91,6 @@ def test_a_click_on_a_topic_names_both_sides(page: Page) -> None:
     assert "geometry_msgs/msg/Twist" in text
 
 
-@pytest.mark.slow
 def test_a_click_on_an_edge_tells_what_it_stands_for(page: Page) -> None:
     click(page, "edge.action")
     page.locator("#panel details.entity[open]").first.wait_for()
@@ -98,7 +98,6 @@ def test_a_click_on_an_edge_tells_what_it_stands_for(page: Page) -> None:
     assert page.locator("#panel details.entity").count() == 1
 
 
-@pytest.mark.slow
 def test_back_leads_back(page: Page) -> None:
     click(page, "node.node[label = 'gateway']")
     title(page).get_by_text("/fleet/gateway").wait_for()
@@ -110,7 +109,6 @@ def test_back_leads_back(page: Page) -> None:
     page.locator("#panel").wait_for(state="hidden")
 
 
-@pytest.mark.slow
 def test_a_link_opens_what_it_names(browser: Browser, fleet: str) -> None:
     with opened(browser, fleet + PLANNER) as page:
         assert title(page).inner_text() == "/porter1/delivery_planner"
@@ -122,7 +120,6 @@ def test_a_link_opens_what_it_names(browser: Browser, fleet: str) -> None:
         assert page.locator("#panel").is_hidden()
 
 
-@pytest.mark.slow
 def test_search_goes_over_names_types_and_packages(page: Page) -> None:
     def found(words: str) -> set[str]:
         page.locator("#search").fill(words)
@@ -140,7 +137,6 @@ def test_search_goes_over_names_types_and_packages(page: Page) -> None:
     title(page).wait_for()
 
 
-@pytest.mark.slow
 def test_each_filter(page: Page) -> None:
     everything = shapes(page)
     page.get_by_role("button", name="Services").click()
@@ -169,7 +165,6 @@ def test_each_filter(page: Page) -> None:
     assert shapes(page) == everything
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["topic", "service", "action"])
 def test_each_kind_can_be_left_out(page: Page, kind: str) -> None:
     assert shapes(page, f"node.{kind}")
@@ -178,7 +173,6 @@ def test_each_kind_can_be_left_out(page: Page, kind: str) -> None:
     assert page.locator(f"#list a.{kind}").count() == 0
 
 
-@pytest.mark.slow
 def test_focus_leaves_what_is_near(page: Page) -> None:
     click(page, "node.node[label = 'gateway']", double=True)
     page.locator(".focus-line").wait_for()
@@ -189,7 +183,6 @@ def test_focus_leaves_what_is_near(page: Page) -> None:
     assert len(shapes(page, "node.node")) == 28
 
 
-@pytest.mark.slow
 def test_grouping(page: Page) -> None:
     page.get_by_label("Group by").select_option("process")
     assert len(shapes(page, "node.frame")) == 22
@@ -200,7 +193,6 @@ def test_grouping(page: Page) -> None:
     assert "/fleet/gateway" in shapes(page, "node.node")
 
 
-@pytest.mark.slow
 def test_nodes_only(page: Page) -> None:
     page.get_by_label("Show").select_option("nodes")
     drawn(page)
@@ -210,7 +202,6 @@ def test_nodes_only(page: Page) -> None:
     assert page.locator("#panel").inner_text().count("/porter1/deliver") >= 2
 
 
-@pytest.mark.slow
 def test_frames_close_and_open(page: Page) -> None:
     page.get_by_role("button", name="Close all frames").click()
     assert "/porter1\n14 nodes" in shapes(page, "node.group")
@@ -222,7 +213,6 @@ def test_frames_close_and_open(page: Page) -> None:
     assert len(shapes(page, "node.node")) == 28
 
 
-@pytest.mark.slow
 def test_a_policy_is_copied_as_it_is_in_the_file(browser: Browser, fleet: str, tmp_path: Path) -> None:
     with opened(browser, fleet + "#p/porter1/localisation", accept_downloads=True) as page:
         page.context.grant_permissions(["clipboard-read", "clipboard-write"])
@@ -238,7 +228,6 @@ def test_a_policy_is_copied_as_it_is_in_the_file(browser: Browser, fleet: str, t
     assert "<topic>/porter1/pose</topic>" in policy
 
 
-@pytest.mark.slow
 def test_a_rule_leads_to_its_source_and_back(browser: Browser, fleet: str) -> None:
     with opened(browser, fleet + "#p/porter1/localisation") as page:
         page.locator(".xml a", has_text="/porter1/pose").click()
@@ -251,7 +240,6 @@ def test_a_rule_leads_to_its_source_and_back(browser: Browser, fleet: str) -> No
         assert page.locator("#policies article h2").inner_text() == "/porter1/localisation"
 
 
-@pytest.mark.slow
 def test_a_finding_leads_to_the_thing(page: Page) -> None:
     page.get_by_role("link", name="Findings").click()
     page.locator("#findings details.code", has_text="RW331").locator("li a.topic").first.click()
@@ -264,7 +252,6 @@ def test_a_finding_leads_to_the_thing(page: Page) -> None:
     page.locator("#findings .chip.note").click()
 
 
-@pytest.mark.slow
 def test_by_keys_alone(page: Page) -> None:
     keys = page.keyboard
     keys.press("/")
@@ -305,7 +292,6 @@ def test_by_keys_alone(page: Page) -> None:
     assert page.get_by_role("heading", name="Keys").is_hidden()
 
 
-@pytest.mark.slow
 def test_every_control_has_a_name(page: Page) -> None:
     click(page, "node.node[label = 'gateway']")
     title(page).wait_for()
@@ -316,7 +302,6 @@ def test_every_control_has_a_name(page: Page) -> None:
         assert name, control.evaluate("one => one.outerHTML")
 
 
-@pytest.mark.slow
 def test_about_tells_the_licences(page: Page) -> None:
     page.get_by_role("button", name="About").click()
     assert "Eclipse Public License 2.0" in page.locator("#about").inner_text()
@@ -324,7 +309,6 @@ def test_about_tells_the_licences(page: Page) -> None:
     assert page.locator("#about").is_hidden()
 
 
-@pytest.mark.slow
 def test_light_and_dark_follow_the_system_until_the_user_says(browser: Browser, fleet: str) -> None:
     colour = "getComputedStyle(document.body).backgroundColor"
     ink = "rosward.graph.library().nodes('.node')[0].style('color')"
@@ -342,7 +326,6 @@ def test_light_and_dark_follow_the_system_until_the_user_says(browser: Browser, 
         assert page.evaluate(colour) == light
 
 
-@pytest.mark.slow
 def test_it_fits_a_narrow_window(browser: Browser, fleet: str) -> None:
     with opened(browser, fleet, viewport={"width": 390, "height": 780}) as page:
         assert page.evaluate("document.documentElement.scrollWidth") <= 390
@@ -356,13 +339,11 @@ def test_it_fits_a_narrow_window(browser: Browser, fleet: str) -> None:
         assert page.evaluate("document.documentElement.scrollWidth") <= 390
 
 
-@pytest.mark.slow
 def test_less_motion(browser: Browser, fleet: str) -> None:
     with opened(browser, fleet + PLANNER, reduced_motion="reduce") as page:
         assert page.evaluate("rosward.graph.library().animated()") is False
 
 
-@pytest.mark.slow
 def test_on_paper_no_kind_and_no_code_is_broken_in_two(page: Page) -> None:
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.emulate_media(media="print")
@@ -373,7 +354,6 @@ def test_on_paper_no_kind_and_no_code_is_broken_in_two(page: Page) -> None:
     assert set(heights) == {1}
 
 
-@pytest.mark.slow
 def test_on_paper_there_is_all_of_it(page: Page) -> None:
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.emulate_media(media="print")
@@ -385,7 +365,6 @@ def test_on_paper_there_is_all_of_it(page: Page) -> None:
     assert page.pdf()[:4] == b"%PDF"
 
 
-@pytest.mark.slow
 def test_without_scripts_there_is_a_drawing(browser: Browser, fleet: str) -> None:
     context = browser.new_context(java_script_enabled=False)
     page = context.new_page()

@@ -165,6 +165,7 @@ def test_an_incomplete_result_fails_where_that_is_asked_for(runner: Runner) -> N
     assert runner.run(fail_on="")[0] == 0
 
 
+@pytest.mark.slow
 def test_a_policy_that_fits_and_one_that_does_not(runner: Runner) -> None:
     runner.commit(TALKER.format(more=""))
     runner.run()

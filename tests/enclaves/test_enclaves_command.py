@@ -37,6 +37,7 @@ def fleet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[str, ...]:
     return ("--launch", "delivery_bringup:fleet.launch.py")
 
 
+@pytest.mark.slow
 def test_a_suggestion_becomes_policies(fleet: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["enclaves", "suggest", *fleet, "--max", "4", "--write", "e.toml", "--json"]) == 0
     suggested = json.loads(capsys.readouterr().out)["suggestion"]["enclaves"]

@@ -145,6 +145,7 @@ def test_a_name_from_a_parameter_file(explain: Explain) -> None:
     assert rows(text, "made of") == [f"parameter input = 'battery': set from outside; the launch passes {file}"]
 
 
+@pytest.mark.slow
 def test_a_value_that_is_not_of_the_launch_is_not_said_to_be(explain: Explain, tmp_path: Path) -> None:
     """`--params` goes over what the launch passes."""
     file = tmp_path / "more.yaml"

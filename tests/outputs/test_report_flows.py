@@ -228,6 +228,7 @@ def test_the_same_network_gives_the_same_page() -> None:
     assert report_html(robot(), FLOWS) == report_html(robot(), FLOWS)
 
 
+@pytest.mark.slow
 def test_a_system_of_500_nodes() -> None:
     """No closure is in it: a twentieth more than without, however far everything reaches."""
     known = all_flowing(fleet(83))

@@ -89,6 +89,7 @@ def differences(network: Network, text: str) -> list[str]:
 
 
 @given(systems(), st.sampled_from(("deny", "wildcard")))
+@pytest.mark.slow
 def test_its_own_policy_has_no_difference(network: Network, unknown: UnknownNames) -> None:
     assert differences(network, policy_xml(network, unknown=unknown)) == []
 

@@ -21,6 +21,8 @@ from rosward.surveying.repositories import Repository
 
 from .checkouts import NAMES, Surveyed, tables
 
+pytestmark = pytest.mark.slow
+
 TASKS = [(Repository(f"r{n}", f"/r{n}"), str(n)) for n in range(2_500)]
 
 
