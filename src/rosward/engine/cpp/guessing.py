@@ -52,7 +52,7 @@ def each(machine: Engine, name: str, chosen: Sequence[Function], args: Arguments
     try:
         for _ in range(machine.budget.fixpoint * 4):
             seen, frame.sequence = guess.version, sequence
-            summaries.turns += outermost
+            summaries.turns += 1  # what was computed from an answer within is computed anew, whatever runs around
             machine.state = begun.copy()
             value = each_apart(machine, chosen, lambda function: call(function, args))
             if guess.before is not None:
