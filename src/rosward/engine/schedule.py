@@ -194,24 +194,25 @@ def _between(machine: Engine) -> None:
 
     self.node = create_node('n'); spin(self.node); self.node = None
     """
-    book, state = machine.schedule_book, machine.state
-    if book.seen == state.version:
-        return
-    book.seen = state.version
-    machine.summaries.asked += 1  # a call in which this happens is not remembered
-    seen = state.copy()
-    book.between = seen if book.between is None else join_states(book.between, seen, machine.fresh_version)
+    book = machine.schedule_book
+    book.between = _with_this(machine, book.between)
 
 
 def _interrupted(machine: Engine) -> None:
     """A callback waits, and nothing runs beside it: only who ends the program (Ctrl-C) does so here, and the main body finds it where it spins."""
+    book = machine.schedule_book
+    book.interrupted = _with_this(machine, book.interrupted)
+
+
+def _with_this(machine: Engine, known: State | None) -> State | None:
+    """What was there where a callback waited, with what is there now."""
     book, state = machine.schedule_book, machine.state
     if book.seen == state.version:
-        return
+        return known
     book.seen = state.version
-    machine.summaries.asked += 1  # as above
+    machine.summaries.asked += 1  # a call in which this happens is not remembered
     seen = state.copy()
-    book.interrupted = seen if book.interrupted is None else join_states(book.interrupted, seen, machine.fresh_version)
+    return seen if known is None else join_states(known, seen, machine.fresh_version)
 
 
 def uncaught(machine: Engine, exception: Value) -> None:

@@ -88,17 +88,17 @@ def create_node(
 
 def _by(executor):
     """One that is not known may have several threads."""
-    from rclpy.executors import Executor
+    if executor is not None:
+        from rclpy.executors import Executor
 
-    if not isinstance(executor, Executor):
-        beside()
+        if not isinstance(executor, Executor):
+            beside()
 
 
 @spins
 def spin_once(node, *, executor=None, timeout_sec=None):
     spun(node)
-    if executor is not None:
-        _by(executor)
+    _by(executor)
     if overridden(executor, *_BY_SPINNING):
         executor.add_node(node)
         executor.spin_once(timeout_sec=timeout_sec)
@@ -108,8 +108,7 @@ def spin_once(node, *, executor=None, timeout_sec=None):
 @spins
 def spin(node, executor=None):
     spun(node)
-    if executor is not None:
-        _by(executor)
+    _by(executor)
     if overridden(executor, *_BY_SPINNING):
         executor.add_node(node)
         executor.spin_once()
@@ -119,8 +118,7 @@ def spin(node, executor=None):
 @spins
 def spin_until_future_complete(node, future, executor=None, timeout_sec=None):
     spun(node)
-    if executor is not None:
-        _by(executor)
+    _by(executor)
     if overridden(executor, *_BY_SPINNING):
         executor.add_node(node)
         executor.spin_until_future_complete(future, timeout_sec)
