@@ -15,11 +15,13 @@ from hypothesis import strategies as st
 
 from rosward.effects.flows import Source
 from rosward.flow import standing
+from rosward.flow.beside import Beside
 from rosward.flow.content import EMPTY, Content, both
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted, triggering
 from rosward.flow.memory import Memory
-from rosward.flow.remembered import Written
+from rosward.flow.remembered import Remembered, Written
 from rosward.flow.store import Numbers
+from rosward.flow.tracker import Tracker
 
 masks = st.integers(0, 2**12 - 1)
 keys = st.sampled_from(["a", "b", 0, 1])
@@ -334,3 +336,63 @@ def test_nothing_stands_where_nothing_was_written() -> None:
     assert made.of(ONE) == EMPTY
     assert made.read([ONE], "a") == NOTHING
     assert made.deep(Mark(0, frozenset((ONE,)))) == 0
+
+
+bodies = st.lists(
+    st.tuples(st.sampled_from(["write", "add", "carry", "look", "meet"]), further, keys, leading, further),
+    min_size=1,
+    max_size=8,
+)
+
+
+def _walked(here: Memory, beside: Beside, body: list[Any]) -> list[int]:
+    """What a body does, beside others; what it has read."""
+    found = []
+    for act, root, key, mark, other in body:
+        if act == "write":
+            here.write(frozenset((root,)), key, mark)
+        elif act == "add":
+            here.write_any([root], mark, mark.mask)
+        elif act == "carry":
+            here.write(frozenset((other,)), key, here.read([root], key))
+        elif act == "look":
+            found.append(here.deep(Mark(0, frozenset((root,)))) | here.read([other], key).mask)
+        else:
+            assert here.shape.tracker is not None
+            here.shape.tracker.beside = True
+            beside.meet(here)
+    return found
+
+
+@given(writes, bodies, st.lists(st.tuples(further, keys, leading), max_size=3), st.booleans())
+def test_a_walk_that_holds_beside_others_finds_and_leaves_what_a_new_one_does(
+    before: list[Any], body: list[Any], more: list[Any], begun: bool
+) -> None:
+    """Whatever callbacks have written since: what the walk does not touch changes nothing. `begun`: they do so once it stands before the call."""
+    start = written(before)
+    shape: Any = start.shape
+    beside = Beside(shape)
+    beside.take(start)
+    state, here = beside.state, beside.memory.copy()
+    shape.tracker = Tracker()
+    found = _walked(here, beside, body)
+    tracker, shape.tracker = shape.tracker, None
+    left = here.left(tracker, {})
+    tracker.ended()
+    each = Remembered((), tracker, left, NOTHING, 0, state, 0)
+    again, callback = beside.memory.copy(), beside.memory.copy()
+    for root, key, mark in more:
+        callback.write(frozenset((root,)), key, mark)
+    beside.take(callback)
+    again = again if begun else beside.memory.copy()
+    anew = again.copy()
+    if not (again.finds(tracker) and beside.holds(each)):
+        return
+    if tracker.beside:
+        beside.meet(again)
+    again.replay(left, set())
+    shape.tracker = Tracker()
+    assert _walked(anew, beside, body) == found
+    shape.tracker = None
+    for root in ROOTS:
+        assert same(again.of(root), anew.of(root))

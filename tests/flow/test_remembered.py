@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
-from rosward.flow.marks import NOTHING, Mark
+import pytest
+
+from rosward.flow.marks import NOTHING, Mark, unrolled
 from rosward.flow.remembered import News, Remembered, gather
 from rosward.flow.tracker import Tracker
 
@@ -39,3 +41,18 @@ def test_arguments_are_more_where_one_of_them_is() -> None:
     assert gather(known, "body", [Mark(2)])  # type: ignore[arg-type]
     assert gather(known, "body", [Mark(1), Mark(4)])  # type: ignore[arg-type]
     assert known["body"] == [Mark(3), Mark(4)]
+
+
+@pytest.mark.parametrize(
+    ("name", "one"),
+    [
+        ("tqdm.tqdm", "tqdm.tqdm"),
+        ("acme.node.next.next", "acme.node.next.next"),
+        ("acme.node.next.next.next", "acme.node.next.next"),
+        ("acme.tree.left.right.left.right.left", "acme.tree.left.right.left"),
+        ("acme.nexts.next.nexts.next.nexts", "acme.nexts.next.nexts"),
+    ],
+)
+def test_what_repeats_itself_is_one(name: str, one: str) -> None:
+    """Else what `node = node.next` finds has a new name in each turn of a loop."""
+    assert unrolled(name) == one

@@ -48,13 +48,24 @@ def slot_of(root: Root) -> tuple[Root, object, object]:
 
 
 _MOST_PARTS: Final = 8
+_TWICE: Final = 2
+"""So often a word may stand in the name of something of a library: `tqdm.tqdm`, `datetime.datetime`."""
 
 
 def of_library(name: str) -> Root:
-    """Something of a library, by its dotted name. Where the name is longer than any (`node.left.right.left`), its end is all the same."""
+    """Something of a library, by its dotted name. Where the name is longer than any (`node.left.right.down`), its end is all the same."""
+    name = unrolled(name)
     if name.count(".") < _MOST_PARTS:
         return ("external", name)
     return ("external", ".".join((*name.split(".", _MOST_PARTS)[:_MOST_PARTS], "*")))
+
+
+def unrolled(name: str) -> str:
+    """A dotted name without what repeats itself: what `node = node.next` finds in each turn is one (`node.next.next`)."""
+    words = name.split(".")
+    while words.count(words[-1]) > _TWICE:
+        words = words[: len(words) - 1 - words[-2::-1].index(words[-1])]
+    return ".".join(words)
 
 
 def name_of(root: Root) -> str:

@@ -119,7 +119,7 @@ class Memory(Standing):
             if tracker is not None:
                 tracker.meets(root, ours, theirs, known.keys)
             return False
-        keys = differing(ours, theirs)
+        keys = None if self._is_first(root) else differing(ours, theirs)
         if tracker is not None:
             tracker.meets(root, ours, theirs, keys)
         merged = both(ours, theirs)
@@ -213,7 +213,8 @@ class Memory(Standing):
                 continue
             if not isinstance(root, int):
                 self._open(root)
-            content = self.part(root, *marks)
+            first = self._is_first(root)
+            content = self.of(root) if first else self.part(root, *marks)
             slots: dict[object, Mark] = {}
             for key, mark in marks.items():
                 old = content.slots.get(key)
@@ -222,7 +223,7 @@ class Memory(Standing):
                 if new != old:
                     slots[key] = new
             if slots:
-                self._put(root, content.with_slots({**content.slots, **slots}), slots)
+                self._put(root, content.with_slots({**content.slots, **slots}), None if first else slots)
 
     def write_any(self, roots: Iterable[Root], mark: Mark, size: int = 0) -> None:
         """Something is written under a key that is not known, or added."""
@@ -312,6 +313,10 @@ class Memory(Standing):
             for inner in self.shape.parts(root):
                 if self.known(inner) is not None:
                     self._put(inner, Content(base=content.read(self.shape.inner[inner][1]).mask))
+
+    def _is_first(self, root: Root) -> bool:
+        """Whether a part is about to be written that was not: what stands in it does not follow what it is a part of any more."""
+        return self.known(root) is None and part_of(root, self.shape.inner) is not None
 
     def _open(self, root: Root) -> None:
         """Something without an address is about to be written; what it is a part of leads to it."""

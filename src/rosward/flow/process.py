@@ -171,7 +171,7 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     root = next(iter(walker.watch.activations.get((f"{entry.place.file}#0", entry.context), ())), None)
     if root is None:
         return
-    walker.memory = walker.beside.copy()
+    walker.memory = walker.beside.memory.copy()
     walker.shape.placed.clear()
     sources = tuple(_sources(walker, entry))
     walker.event = walker.arriving[entry] = sources
@@ -212,7 +212,10 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
         walker.give_back(entry, walker.memory.deep(result))
     if _implicit(walker, entry):
         implicit.keep(
-            walker, entry.callback, walker.memory.deep(result), writes=walker.memory.wrote_to_others(walker.beside)
+            walker,
+            entry.callback,
+            walker.memory.deep(result),
+            writes=walker.memory.wrote_to_others(walker.beside.memory),
         )
     walker.leave()
 

@@ -12,7 +12,7 @@ from rosward.domain.values import NONE, Class, Function, Ref, Value
 from rosward.effects.flows import Source
 from rosward.engine.python.implicit import FOLLOWED
 from rosward.engine.seen import Activation, refs_of
-from rosward.flow.marks import Root
+from rosward.flow.marks import Root, unrolled
 from rosward.flow.said import marks_of, told_by
 from rosward.flow.store import Numbers
 from rosward.flow.tracker import Tracker
@@ -63,7 +63,7 @@ _LAYOUTS: Final = {
     for kind in ("structure", "union")
 }
 """Classes of `ctypes` whose attributes have their places in memory."""
-_FEW: Final = ((30_000, 48), (100_000, 12), (float("inf"), 4))
+_FEW: Final = ((60_000, 48), (100_000, 12), (float("inf"), 4))
 """While less was spent than that, so many objects are told apart."""
 _ALL: Final = 1_000_000
 _MOST_PARTS: Final = 6
@@ -108,7 +108,7 @@ class Shape:
 
     def made(self, activation: Activation, number: int, name: str = "", kind: str = "made") -> Root:
         """The object that an operation makes and that has no address; `name`: of what in a library it is the result."""
-        return (kind, activation, number, name if name.count(".") < _MOST_PARTS else "")
+        return (kind, activation, number, unrolled(name) if name.count(".") < _MOST_PARTS else "")
 
     @property
     def few(self) -> int:

@@ -14,6 +14,7 @@ from rosward.effects.flows import Sink, Source
 from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import Activation, Seen
 from rosward.engine.watch import is_of_program
+from rosward.flow.beside import Beside
 from rosward.flow.body import Attempt, Body, Point, here, where
 from rosward.flow.content import TooLongError
 from rosward.flow.failing import STRUCTURED, may_fail
@@ -57,7 +58,7 @@ class Walker:
         self.sinks = Sinks()
         self.trail = shape.trail = Trail(self.place)
         self.memory = Memory(shape)
-        self.beside = Memory(shape)
+        self.beside = Beside(shape)
         self.bodies: list[Body] = []
         self.attempts: list[Attempt] = []
         self.results: dict[Activation, Mark] = {}
@@ -87,7 +88,6 @@ class Walker:
         self.sites = Sites()
         self._most = most
         self.together = watch.measure()  # calls of one body are not told apart by what was seen in each
-        self._beside = 0  # how often `beside` became more
         self._key_sets: KeySets = {}
         self._remembered: dict[Activation, list[Remembered]] = {}
         self._news = News()
@@ -245,7 +245,7 @@ class Walker:
         """Callbacks run here: all that they may have written may stand here."""
         if self.shape.tracker is not None:
             self.shape.tracker.beside = True
-        self.memory.meet(self.beside, self._beside)
+        self.beside.meet(self.memory)
 
     def wait(self) -> None:
         """Others run while this waits: they find what it wrote so far, and it finds what they write."""
@@ -254,10 +254,7 @@ class Walker:
 
     def leave(self) -> None:
         """What runs has come to its end, or lets others run: they may find what it wrote."""
-        if self.beside.join(self.memory):
-            self.changed = True
-            self._beside += 1
-        self.beside.take_looks(self.memory)
+        self.changed |= self.beside.take(self.memory)
 
     def source_here(self, kind: str) -> Source:
         """What arrives here, of that kind: at the object of whose method this runs."""
@@ -295,12 +292,12 @@ class Walker:
         earlier = self._remembered.setdefault(activation, [])
         outer = self.shape.tracker
         for each in earlier:
-            current = not each.tracker.beside or each.beside == self._beside
-            if current and each.given == given and self._news.holds(each) and self.memory.finds(each.tracker):
+            current = each.given == given and self._news.holds(each) and self.memory.finds(each.tracker)
+            if current and self.beside.holds(each):
                 self._repeat(each, outer)
                 return each.result
         tracker = self.shape.tracker = Tracker()
-        beside, told = self._beside, self._news.told
+        beside, told = self.beside.state, self._news.told
         before = self.attempts[-1].mask if self.attempts else 0
         if self.attempts:
             self.attempts[-1].mask = 0
