@@ -35,6 +35,7 @@ FOLLOWED: Final = frozenset(
         "__call__", "__enter__", "__exit__", "__aenter__", "__aexit__", "__await__", "__aiter__", "__anext__",
         "__iter__", "__next__", "__getitem__", "__setitem__", "__delitem__", "__missing__", "__contains__",
         "__bool__", "__copy__", "__deepcopy__", "__format__", "__abs__", "__round__", "__divmod__", "__neg__", "__pos__", "__invert__",
+        "__post_init__", "__attrs_post_init__",  # of dataclasses and attrs: their models call them where an object is made
         *(f"__{p}{n}__" for n in (
             "add", "sub", "mul", "truediv", "floordiv", "mod", "pow", "matmul", "and", "or", "xor", "lshift", "rshift",
         ) for p in ("", "i", "r")),

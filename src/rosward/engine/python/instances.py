@@ -30,7 +30,7 @@ from rosward.models.python.builtins.attributes import has_attribute, of_python
 from rosward.models.python.containers.lists import ITERATOR, VIEW
 from rosward.models.python.plain import LOOSE_HINTS
 from rosward.models.python.std.annotations import WRITTEN_IN
-from rosward.models.ros.interfaces import same_interface
+from rosward.models.ros.interfaces import is_known_interface, same_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -83,6 +83,8 @@ def type_of(machine: Engine, value: Value) -> Value | None:
         return Native("builtins.function")
     if value.__class__ is ModuleValue:
         return Native("builtins.module")
+    if value.__class__ is External and is_known_interface(machine, value):
+        return Native("builtins.type")
     if value.__class__ is Descriptor and value.kind != "cached_property":
         return Native(f"builtins.{value.kind}")
     return None
@@ -124,7 +126,7 @@ def _of_kind(machine: Engine, value: Value, name: str) -> bool | None:
         return named if kind != "generator" else (None if name in _SUSPENDED else False)
     if value.__class__ in _KINDS:
         return name in _KINDS[value.__class__]
-    return False if value.__class__ in (Const, Text, Tuple, Class) else None
+    return False if value.__class__ in (Const, Text, Tuple, Class) or is_known_interface(machine, value) else None
 
 
 def is_subclass(machine: Engine, cls: Value, wanted: Value) -> bool | None:
@@ -142,7 +144,11 @@ def _is_subclass(machine: Engine, cls: Value, wanted: Value) -> bool | None:
         return _of_python(cls.name, _python_class(wanted.name))
     if cls.__class__ is External and wanted.__class__ is External:
         return same_interface(machine, cls, wanted)
-    if cls.__class__ not in (Native, Class) or wanted.__class__ not in (Native, Class):
+    if is_known_interface(machine, wanted):
+        return _any([_is_interface(machine, b, wanted) for b in (cls.mro if cls.__class__ is Class else (cls,))])
+    # what the class of an interface derives from, and nothing else
+    known = Native("builtins.object") if is_known_interface(machine, cls) else cls
+    if known.__class__ not in (Native, Class) or wanted.__class__ not in (Native, Class):
         return None
     if wanted.__class__ is Class:
         decided = _by_metaclass(machine, wanted, "__subclasscheck__", cls)
@@ -153,10 +159,19 @@ def _is_subclass(machine: Engine, cls: Value, wanted: Value) -> bool | None:
         if cls.__class__ is Class and wanted in cls.mro:
             return True
         abstract = _abstract(wanted)
+        if known is not cls and abstract is collections.abc.Hashable:
+            return None  # a message has no hash, a service has one
         if abstract is not None:
-            return _any([_of_abstract(machine, cls, abstract), _registered(machine, cls, wanted)])
-        return _any([_nominal(cls, wanted), _registered(machine, cls, wanted)])
-    return _nominal(cls, wanted)
+            return _any([_of_abstract(machine, known, abstract), _registered(machine, cls, wanted)])
+        return _any([_nominal(known, wanted), _registered(machine, cls, wanted)])
+    return _nominal(known, wanted)
+
+
+def _is_interface(machine: Engine, base: Value, wanted: Value) -> bool | None:
+    """Whether one base of a class is the class of an interface."""
+    if base.__class__ is External:
+        return same_interface(machine, base, wanted)
+    return False if base.__class__ in (Native, Class) else None
 
 
 def _any(answers: list[bool | None]) -> bool | None:
@@ -198,6 +213,7 @@ _PYTHON: Final[dict[str, type]] = {
     "builtins.function": type(_of_python),
     "builtins.builtin_function_or_method": type(len),
     "builtins.method": types.MethodType,
+    "builtins.module": types.ModuleType,
     "builtins.NoneType": type(None),
 }
 

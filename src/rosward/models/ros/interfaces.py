@@ -53,6 +53,11 @@ def same_interface(machine: Machine, left: Value, right: Value) -> bool | None:
     return None if "" in names else len(names) == 1
 
 
+def is_known_interface(machine: Machine, cls: Value) -> bool:
+    """Whether a value is the class of an interface whose fields are known: such a class has no base but `object`."""
+    return _interface_of(machine, cls) != ""
+
+
 def _interface_of(machine: Machine, cls: Value) -> str:
     """The name under which programs import the class of an interface whose fields are known; '' for anything else."""
     if not isinstance(cls, External):

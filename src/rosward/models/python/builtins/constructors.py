@@ -47,6 +47,7 @@ from rosward.models.python.plain import (
     unknown_from,
 )
 from rosward.models.python.strings.formatting import to_str
+from rosward.models.ros.interfaces import is_known_interface
 
 _NUMBERS: Final[dict[str, Callable[..., object]]] = {"int": int, "float": float, "complex": complex}
 
@@ -201,7 +202,7 @@ def _numeric(call: NativeCall) -> Value:
 
 def is_callable(machine: Machine, value: Value) -> bool | None:
     """callable(value)."""
-    if isinstance(value, (Function, Class, Native, BoundMethod, Partial)):
+    if isinstance(value, (Function, Class, Native, BoundMethod, Partial)) or is_known_interface(machine, value):
         return True
     if isinstance(value, (Const, Text, Tuple, ModuleValue)):
         return False

@@ -20,6 +20,7 @@ from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import CONTENTS, contents
 from rosward.models.python.plain import EXCEPTION_HINT
 from rosward.models.python.std.support import class_obj, joined_elements, unknown_from
+from rosward.models.ros.interfaces import is_known_interface
 from rosward.models.ros.message_fields import made_all
 
 _COPIED: Final = frozenset({"list", "set", "dict", "instance"})
@@ -259,6 +260,8 @@ def _kind_of(call: NativeCall) -> Value:
     def one(value: Value) -> Value:
         if isinstance(value, BoundMethod) and isinstance(value.function, Native):
             return Const("builtin")
+        if is_known_interface(call.machine, value):
+            return Const("class")
         if isinstance(value, (External, Unknown)):
             return unknown_from(call, "str", (value,))
         return Const(_KINDS.get(value.__class__, "value"))

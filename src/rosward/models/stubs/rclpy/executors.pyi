@@ -39,6 +39,7 @@ class Executor:
         "_take_guard_condition", "_take_service", "_take_subscription", "_take_timer", "_take_waitable", "_tasks",
         "_tasks_lock", "_wait_for_ready_callbacks", "_work_tracker",
     )
+    _nodes = None  # of an executor that the program did not make (`node.executor`), its nodes are not known
     def __init__(self, *, context=None):
         self._nodes = []
         if type(self) is not SingleThreadedExecutor:  # several threads, or a class of the program, which may start some
@@ -62,20 +63,22 @@ class Executor:
 
     def add_node(self, node):
         spun(node)
+        if self._nodes is None:
+            return unknown("live", "rclpy.executors.Executor.add_node", "bool")
         if any(each is node for each in self._nodes):
             return False
         self._nodes.append(node)
         return True
 
     def remove_node(self, node):
-        if node in self._nodes:
+        if self._nodes is not None and node in self._nodes:
             self._nodes.remove(node)
 
     @reads_only
     def wake(self) -> None: ...
 
     def get_nodes(self):
-        return self._nodes
+        return unknown("live", "rclpy.executors.Executor.get_nodes", "list") if self._nodes is None else self._nodes
 
     @spins
     def spin(self):
