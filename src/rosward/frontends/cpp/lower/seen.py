@@ -106,8 +106,10 @@ def _of_member(body: Body, node: Node, place: tuple[int, int], depth: int, calle
     if owner is None or field is None or field.type != "field_identifier":
         return _NOTHING
     if owner.type == "this":
+        if not body.has_this:
+            return _NOTHING
         dst = body.register()
-        return ([Declared(*place, dst, word(field) + called)], dst) if body.has_this else _NOTHING
+        return [Declared(*place, dst, word(field) + called)], dst
     before = DOT if word(node.child_by_field_name("operator")) == "." else ARROW
     return _parts(place, body, _typed(body, owner, place, depth + 1), f"{before}{word(field)}{called}")
 
@@ -115,9 +117,10 @@ def _of_member(body: Body, node: Node, place: tuple[int, int], depth: int, calle
 def _of_call(body: Body, node: Node, function: Node, place: tuple[int, int], depth: int) -> tuple[Block, int]:
     """The type of what `f(…)`, `Lamp::f(…)`, `std::get<0>(…)` return."""
     if function.type == "identifier":
+        if body.variable(word(function)) is not None:
+            return _NOTHING
         dst = body.register()
-        is_own = body.variable(word(function)) is None
-        return ([Declared(*place, dst, word(function) + CALLED)], dst) if is_own else _NOTHING
+        return [Declared(*place, dst, word(function) + CALLED)], dst
     written = parts_of(function) if function.type == "qualified_identifier" else None
     if written is None or len(written.parts) < 2:
         return _NOTHING
@@ -216,16 +219,6 @@ def seen_scope(body: Body, field: Node, node: Node | None, written: Written | No
     return _written(body, variable.written) if leads else ([], NO_REGISTER)
 
 
-def _is_name(body: Body, node: Node) -> bool:
-    """Whether a pointer is called by its name, and no element of something."""
-    plain = _plain(node)
-    variable = body.variable(word(plain)) if plain is not None and plain.type == "identifier" else None
-    return plain is not None and plain.type not in _PARTS and (variable is None or variable.over is None)
-
-
-_PARTS: Final = frozenset({"subscript_expression", "field_expression"})
-
-
 def led_to(body: Body, node: Node | None) -> tuple[Block, int]:
     """The same for what is assigned to: `r = b`, `*p = b`, `o.x = b`."""
     plain = _plain(node)
@@ -290,7 +283,7 @@ def is_constant(body: Body, node: Node | None, *, through: bool = False) -> bool
 
 def own(body: Body, value: Node) -> int:
     """A value for a variable of its own; of a reference, or what a pointer leads to, as one of the type that this is declared with."""
-    if value.type == "pointer_expression" and value.children[0].type == "*" and _is_name(body, value):
+    if value.type == "pointer_expression" and value.children[0].type == "*":
         block, static = declared(body, value, body.place(value))
         if static != NO_REGISTER:
             src = body.slot(value)
