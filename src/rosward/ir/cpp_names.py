@@ -151,7 +151,7 @@ class Deref(Op):
 class Declared(Op):
     """dst = the type that a field of `this`, or a variable of a class or namespace, is declared with; none where it has none that is written.
 
-    With `obj`: that of a field of what is there, or of what it leads to.
+    With `obj`: that of a field of what is there, or of what it leads to. With `()` behind the name, what functions of that name return.
     """
 
     __slots__ = ("dst", "name", "obj")
@@ -228,15 +228,20 @@ class MakeType(Op):
         self.inner = inner
 
 
-ELEMENT: Final = "*"
+ELEMENT: Final = "[*]"
 UNDER: Final = "[]"
-MAPPED: Final = "[second]"
+LED: Final = "*"
+ARROW: Final = "->"
+DOT: Final = "."
+CALLED: Final = "()"
+NUMBERED: Final = "#"
 
 
 @final
 class TypeOfValue(Op):
-    """dst = the type of the value at a slot: `decltype(x)`, `typeid(x)`; with `member`, that of this member of the type in `src`, or of the elements
-    of such a container: of those that a loop runs over (ELEMENT), or that stand under an index or key (UNDER), of a map alone (MAPPED)."""
+    """dst = the type of the value at a slot: `decltype(x)`, `typeid(x)`; with `member`, that of this member of the type in `src`, or of a part
+    of what has such a type: of the elements that a loop runs over (ELEMENT), or that stand under an index or key (UNDER), of what a pointer leads to
+    (LED), of `.field`, of what `.function()` returns, of `->field` and `->function()`, of the member of a pair or tuple with that number (`#0`)."""
 
     __slots__ = ("dst", "member", "src")
 

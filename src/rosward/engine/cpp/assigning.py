@@ -75,8 +75,8 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
         return own if own is UNBOUND else slot
     if operator != "=":
         value = binary(machine, operator[:-1], read(machine, slot), read(machine, src), inplace=True)
-        if value is UNBOUND:
-            return UNBOUND
+        if value is UNBOUND or slot.__class__ is Pointer:  # an iterator that nobody keeps: `++names.begin()`
+            return value
         if not isinstance(slot, Ref) or value != slot:
             write(machine, slot, _as_declared(machine, slot, value))
         return slot
@@ -201,7 +201,7 @@ def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:
     if is_inserter(before):
         return slot if prefix else before
     done = assign(machine, f"{operator[0]}=", slot, Const(1))
-    return done if done is UNBOUND else slot if prefix else before
+    return done if done is UNBOUND or prefix else before
 
 
 def _says_itself(machine: Engine, slot: Value, src: Value) -> bool:

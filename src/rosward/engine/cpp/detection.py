@@ -11,15 +11,14 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import lift
 from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Value
-from rosward.engine.cpp import names
+from rosward.domain.values import Class, Value
+from rosward.engine.cpp import names, static_types
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import is_message
-from rosward.ir.cpp_names import ELEMENT, MAPPED, UNDER
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.traits import NO_TYPE, SOME_TYPE
-from rosward.models.cpp.types import Shape, argument, name_of, shape_of
+from rosward.models.cpp.types import Shape, name_of, shape_of
 from rosward.models.ros.message_fields import has_field
 
 if TYPE_CHECKING:
@@ -27,17 +26,13 @@ if TYPE_CHECKING:
 
 __all__ = ["lacks", "member_type"]
 
-_SEQUENCES: Final = frozenset(
-    {"std.array", "std.deque", "std.initializer_list", "std.list", "std.set", "std.span", "std.vector"}
-)
-_MAPS: Final = frozenset({"std.map", "std.unordered_map"})
 _PLAIN: Final = frozenset({Shape.INT, Shape.FLOAT, Shape.BOOL, Shape.CHAR, Shape.VOID})
 
 
 def member_type(machine: Engine, type_: Value, name: str) -> Value:
     """The type of the member of a type; `NO_TYPE` where it has none."""
-    if name in (ELEMENT, UNDER) or (name == MAPPED and name_of(type_) in _MAPS):
-        return lift(lambda each: _element(each, name), type_)
+    if not name[0].isalpha() and name[0] != "_":
+        return static_types.part(machine, type_, name)
     return lift(lambda each: _member_type(machine, each, name), type_)
 
 
@@ -59,14 +54,6 @@ def _member_type(machine: Engine, type_: Value, name: str) -> Value:
         return NO_TYPE
     native = machine.library.native(f"{name_of(type_)}.{name}")
     return SOME_TYPE if native is not None else _told(machine, name)
-
-
-def _element(type_: Value, which: str) -> Value:
-    """The type of the elements of a container; none where it is none, or where these are pairs."""
-    name = name_of(type_)
-    if which != MAPPED and isinstance(type_, TypeOf) and (name == "array" or name in _SEQUENCES):
-        return argument(type_, 0)
-    return argument(type_, 1) if which != ELEMENT and name in _MAPS and isinstance(type_, TypeOf) else NONE
 
 
 def lacks(machine: Engine, cls: Class, name: str) -> bool:

@@ -14,10 +14,11 @@ from rosward.engine.cpp import access, detection, members, names
 from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.names import Found
-from rosward.engine.cpp.thunks import evaluate
+from rosward.engine.cpp.static_types import of_found
 from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.engine.frame import Frame
 from rosward.ir import cpp, ops
+from rosward.ir.cpp_names import CALLED
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.traits import NO_TYPE
 
@@ -80,11 +81,8 @@ def _resolved(machine: Engine, op: cpp.Name, frame: Frame) -> Resolved:
 def declared_type(machine: Engine, name: str, frame: Frame) -> Value:
     """The type that a field or variable is declared with; none where none is written."""
     env = ModuleValue(frame.module.address, frame.module.name, frame.code.file)
-    found = names.unqualified(machine, env, name)
-    first = found.symbols[0] if isinstance(found, Found) else None
-    if not isinstance(found, Found) or first is None or first.kind is not SymbolKind.VARIABLE or first.type is None:
-        return NONE
-    return evaluate(machine, first.type, found.env)
+    found = names.unqualified(machine, env, name.removesuffix(CALLED))
+    return of_found(machine, found, called=name.endswith(CALLED)) if isinstance(found, Found) else NONE
 
 
 def this_of(frame: Frame) -> tuple[Ref, ...]:

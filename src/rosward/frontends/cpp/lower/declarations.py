@@ -33,6 +33,7 @@ from rosward.frontends.cpp.lower.vexing import arguments_in, meant, referent
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.core import NO_REGISTER, Binary
 from rosward.ir.cpp import Convert, Copy, Destructure, StaticLocal
+from rosward.ir.cpp_names import NUMBERED
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -98,6 +99,10 @@ def variable(
         return None
     if name.type == "structured_binding_declarator":
         bind(body, node, shape, name, body.slot(value) if has(shape, REFERENCES) else body.own(value))
+        for index, child in enumerate(name.named_children):
+            bound = body.variable(word(child))
+            if bound is not None and value is not None:
+                bound.over = value, (f"{NUMBERED}{index}",)
         return None
     return _one(body, node, type_node, shape, word(name), what, static=static, equals=equals)
 
@@ -142,6 +147,8 @@ def _one(
     found.written = (type_node, shape) if type_node is not None and not is_auto else None
     if is_auto and what is not None and not isinstance(what, Given) and (reference or has(shape, POINTERS)):
         found.written = written_cast(what)
+    if is_auto and what is not None and not isinstance(what, Given) and found.written is None:
+        found.over = what, ()
     if static:
         result = NO_REGISTER
 

@@ -8,15 +8,16 @@ void start(Base & b) { b.name(); }       the `name` of Base, where that is not v
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body
-from rosward.frontends.cpp.lower.names import Written, of_parts
+from rosward.frontends.cpp.lower.names import Written, of_parts, parts_of
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, declared_type, has, type_of
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp import Copy, Declared, TypeOfValue
-from rosward.ir.cpp_names import MAPPED, UNDER
+from rosward.ir.cpp_names import ARROW, CALLED, DOT, LED, NUMBERED, UNDER
 from rosward.ir.op import Block
 
 if TYPE_CHECKING:
@@ -24,7 +25,9 @@ if TYPE_CHECKING:
 
 _DEPTH: Final = 20
 _LEADING: Final = frozenset({"field_expression", "pointer_expression"})
-_ONE_OF: Final = frozenset({"at", "back", "front"})
+_OF_PAIRS: Final = frozenset({"first", "second"})
+_SAME: Final = frozenset({"as_const", "move"})
+_NOTHING: Final[tuple[Block, int]] = [], NO_REGISTER
 _PLAIN: Final = re.compile(
     r"(?:const\s+)?std::\w+<\s*(?:const\s+)?(?:std::(?:string|\w+_t)|rclcpp\w*::[\w:]*|bool|char|double|float|int|long|u?int\d+_t)\b[^,]*\Z"
 )
@@ -35,29 +38,21 @@ _LIBRARIES: Final = (b"std::string", b"std::vector", b"std::map", b"rclcpp::", b
 
 def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Block, int]:
     """Operations that give the type with which the object, or the pointer to it, is declared; none where that is not written."""
-    node = _plain(node)
-    cast = _cast(node)
-    if cast is not None:
-        found = NO_REGISTER
-
-        def of_cast() -> None:
-            nonlocal found
-            found = type_of(body, cast)
-
-        return body.block(of_cast), found
-    if node is None:
-        return [], NO_REGISTER
-    if node.type != "identifier":
-        return _part(body, node, place)
-    variable = body.variable(word(node))
-    if variable is None:
-        return _of_own(body, node, place)
-    if variable.over is not None:
-        return _element(body, variable.over[0], place, variable.over[1])
-    written = variable.written
-    if written is None or variable.raw or (written[0].text or b"").startswith(_LIBRARIES):
-        return [], NO_REGISTER
-    return _written(body, written)
+    plain = _plain(node)
+    if plain is None:
+        return _NOTHING
+    if plain.type == "identifier":
+        variable = body.variable(word(plain))
+        written = variable.written if variable is not None and variable.over is None else None
+        if written is not None and (written[0].text or b"").startswith(_LIBRARIES):
+            return _NOTHING
+    if plain.type == "field_expression" and word(plain.child_by_field_name("field")) not in _OF_PAIRS:
+        around = plain.parent
+        leads = around is not None and around.type in _LEADING and word(around.children[1]) != "."
+        found = _of_field(body, plain) if leads else _NOTHING
+        if found[1] != NO_REGISTER:
+            return found
+    return _typed(body, node, place)
 
 
 def _of_own(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]:
@@ -68,50 +63,104 @@ def _of_own(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]
     return [Declared(*place, dst, word(node))], dst
 
 
-def _part(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]:
-    """The type of `v[0]`, `v.front()`: of an element of what has a name; and of `o.pointer`, of which a member is asked."""
-    if node.type == "field_expression":
-        owner, around = node.child_by_field_name("argument"), node.parent
-        variable = body.variable(word(owner)) if owner is not None and owner.type == "identifier" else None
-        if variable is not None and variable.over is not None and word(node.child_by_field_name("field")) == "second":
-            return _element(body, variable.over[0], place, MAPPED)
-        leads = around is not None and around.type in _LEADING and word(around.children[1]) != "."
-        return _of_field(body, node) if leads else ([], NO_REGISTER)
-    if node.type == "subscript_expression":
-        return _element(body, node.child_by_field_name("argument"), place, UNDER)
-    function = node.child_by_field_name("function") if node.type == "call_expression" else None
-    if function is not None and function.type == "field_expression" and word(function.children[-1]) in _ONE_OF:
-        return _element(body, function.child_by_field_name("argument"), place, UNDER)
-    return [], NO_REGISTER
+def _typed(body: Body, node: Node | None, place: tuple[int, int], depth: int = 0) -> tuple[Block, int]:
+    """The type of an expression as it is declared, without doing what it says; none where that is not written."""
+    if node is None or depth > _DEPTH:
+        return _NOTHING
+    kind = node.type
+    if kind == "parenthesized_expression":
+        return _typed(body, node.named_children[0] if node.named_children else None, place, depth + 1)
+    if kind == "identifier":
+        return _of_variable(body, node, place, depth)
+    if kind == "pointer_expression" and node.children[0].type == "*":
+        return _parts(place, body, _typed(body, node.child_by_field_name("argument"), place, depth + 1), LED)
+    if kind == "subscript_expression":
+        return _parts(place, body, _typed(body, node.child_by_field_name("argument"), place, depth + 1), UNDER)
+    if kind == "field_expression":
+        return _of_member(body, node, place, depth)
+    cast = _cast(node)
+    if cast is not None:
+        return _lowered(body, lambda: type_of(body, cast))
+    function = node.child_by_field_name("function") if kind == "call_expression" else None
+    if function is None:
+        return _NOTHING
+    if function.type == "field_expression":
+        return _of_member(body, function, place, depth, CALLED)
+    return _of_call(body, node, function, place, depth)
 
 
-def _element(body: Body, node: Node | None, place: tuple[int, int], which: str) -> tuple[Block, int]:
-    """The type of the elements of a container that is a variable or a field."""
-    if node is None or node.type not in ("identifier", "field_expression"):
-        return [], NO_REGISTER
-    variable = body.variable(word(node)) if node.type == "identifier" else None
-    if node.type == "field_expression":
-        block, whole = _of_field(body, node)
-    elif variable is None:
-        block, whole = _of_own(body, node, place)
-    elif variable.written is None or variable.raw or _PLAIN.match((variable.written[0].text or b"").decode()):
-        return [], NO_REGISTER
-    else:
-        block, whole = _written(body, variable.written)
-    if whole == NO_REGISTER:
-        return [], NO_REGISTER
-    dst = body.register()
-    return [*block, TypeOfValue(*place, dst, whole, which)], dst
+def _of_variable(body: Body, node: Node, place: tuple[int, int], depth: int) -> tuple[Block, int]:
+    variable = body.variable(word(node))
+    if variable is None:
+        return _of_own(body, node, place)
+    if variable.over is not None:
+        return _parts(place, body, _typed(body, variable.over[0], place, depth + 1), *variable.over[1])
+    if variable.written is None or variable.raw or _PLAIN.match((variable.written[0].text or b"").decode()):
+        return _NOTHING
+    return _written(body, variable.written)
+
+
+def _of_member(body: Body, node: Node, place: tuple[int, int], depth: int, called: str = "") -> tuple[Block, int]:
+    """The type of `o.x` and `p->x`, or of what these return."""
+    owner, field = node.child_by_field_name("argument"), node.child_by_field_name("field")
+    if owner is None or field is None or field.type != "field_identifier":
+        return _NOTHING
+    if owner.type == "this":
+        if not body.has_this:
+            return _NOTHING
+        dst = body.register()
+        return [Declared(*place, dst, word(field) + called)], dst
+    before = DOT if word(node.child_by_field_name("operator")) == "." else ARROW
+    return _parts(place, body, _typed(body, owner, place, depth + 1), f"{before}{word(field)}{called}")
+
+
+def _of_call(body: Body, node: Node, function: Node, place: tuple[int, int], depth: int) -> tuple[Block, int]:
+    """The type of what `f(…)`, `Lamp::f(…)`, `std::get<0>(…)` return."""
+    if function.type == "identifier":
+        if body.variable(word(function)) is not None:
+            return _NOTHING
+        dst = body.register()
+        return [Declared(*place, dst, word(function) + CALLED)], dst
+    written = parts_of(function) if function.type == "qualified_identifier" else None
+    if written is None or len(written.parts) < 2:
+        return _NOTHING
+    listed = node.child_by_field_name("arguments")
+    name, types = written.parts[-1]
+    if written.parts[0][0] == "std":
+        argument = listed.named_children[0] if listed is not None and len(listed.named_children) == 1 else None
+        number = word(types).strip("<> ") if types is not None else ""
+        if name not in _SAME and (name != "get" or not number.isdigit()):
+            return _NOTHING
+        whole = _typed(body, argument, place, depth + 1)
+        return whole if name in _SAME else _parts(place, body, whole, f"{NUMBERED}{number}")
+    if types is not None or written.base is not None:
+        return _NOTHING
+    scope = written._replace(parts=written.parts[:-1])
+    return _parts(place, body, _lowered(body, lambda: of_parts(body, function, scope, "value")), f"{DOT}{name}{CALLED}")
+
+
+def _parts(place: tuple[int, int], body: Body, whole: tuple[Block, int], *which: str) -> tuple[Block, int]:
+    """The type of a part of what has a type."""
+    block, register = whole
+    for each in which if register != NO_REGISTER else ():
+        dst = body.register()
+        block = [*block, TypeOfValue(*place, dst, register, each)]
+        register = dst
+    return block, register
+
+
+def _lowered(body: Body, lower: Callable[[], int]) -> tuple[Block, int]:
+    found = NO_REGISTER
+
+    def inner() -> None:
+        nonlocal found
+        found = lower()
+
+    return body.block(inner), found
 
 
 def _written(body: Body, written: tuple[Node, Node | None]) -> tuple[Block, int]:
-    found = NO_REGISTER
-
-    def lower() -> None:
-        nonlocal found
-        found = declared_type(body, *written)
-
-    return body.block(lower), found
+    return _lowered(body, lambda: declared_type(body, *written))
 
 
 def _plain(node: Node | None) -> Node | None:
@@ -168,16 +217,6 @@ def seen_scope(body: Body, field: Node, node: Node | None, written: Written | No
     type_node, shape = variable.written
     leads = has(shape, REFERENCES | POINTERS) and type_node.type == "type_identifier"
     return _written(body, variable.written) if leads else ([], NO_REGISTER)
-
-
-def _is_name(body: Body, node: Node) -> bool:
-    """Whether a pointer is called by its name, and no element of something."""
-    plain = _plain(node)
-    variable = body.variable(word(plain)) if plain is not None and plain.type == "identifier" else None
-    return plain is not None and plain.type not in _PARTS and (variable is None or variable.over is None)
-
-
-_PARTS: Final = frozenset({"subscript_expression", "field_expression"})
 
 
 def led_to(body: Body, node: Node | None) -> tuple[Block, int]:
@@ -244,7 +283,7 @@ def is_constant(body: Body, node: Node | None, *, through: bool = False) -> bool
 
 def own(body: Body, value: Node) -> int:
     """A value for a variable of its own; of a reference, or what a pointer leads to, as one of the type that this is declared with."""
-    if value.type == "pointer_expression" and value.children[0].type == "*" and _is_name(body, value):
+    if value.type == "pointer_expression" and value.children[0].type == "*":
         block, static = declared(body, value, body.place(value))
         if static != NO_REGISTER:
             src = body.slot(value)

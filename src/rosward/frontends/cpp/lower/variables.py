@@ -22,7 +22,7 @@ class Variable:
     to the first of them. `raw`: a type, a constant of a template or a pack, which is taken as it is; `pack` tells the last, `type` a type or
     constant. `path`: it is no variable at all, but another name for that (`using std::string;`, `namespace fs = std::filesystem;`), with ''
     first where that begins with `::`. `written` is the type that it is declared with, and what its declarator adds. `over`: where that is
-    `auto`, what the loop runs over of which it is an element, and which part of one. `members` are the enumerators of an enum.
+    `auto`, what it begins with, or the loop runs over, and which part of that it is. `members` are the enumerators of an enum.
     """
 
     __slots__ = (
@@ -65,7 +65,7 @@ class Variable:
         self.constant = False
         self.leads_to_constant = False
         self.written: tuple[Node, Node | None] | None = None
-        self.over: tuple[Node, str] | None = None
+        self.over: tuple[Node, tuple[str, ...]] | None = None
         self.raw = raw or pack or type_
         self.pack = pack
         self.type = type_

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// std: algorithms that ask several ranges in turn, and those of numbers.
+// std: algorithms that ask several ranges in turn, that swap what iterators lead to, and those of numbers.
 
 namespace std
 {
+template<class A, class B>
+void iter_swap(A a, B b)
+{
+  std::swap(*a, *b);
+}
 template<class A, class B, class Out, class Less>
 Out set_intersection(A a, A last_a, B b, B last_b, Out out, Less less)
 {
