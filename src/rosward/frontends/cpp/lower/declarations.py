@@ -28,7 +28,7 @@ from rosward.frontends.cpp.lower.types import (
     type_of,
     within,
 )
-from rosward.frontends.cpp.lower.variables import Variable
+from rosward.frontends.cpp.lower.variables import Over, Variable
 from rosward.frontends.cpp.lower.vexing import arguments_in, meant, referent
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.core import NO_REGISTER, Binary
@@ -102,7 +102,7 @@ def variable(
         for index, child in enumerate(name.named_children):
             bound = body.variable(word(child))
             if bound is not None and value is not None:
-                bound.over = value, (f"{NUMBERED}{index}",)
+                bound.over = Over(value, (f"{NUMBERED}{index}",), tuple(body.scopes))
         return None
     return _one(body, node, type_node, shape, word(name), what, static=static, equals=equals)
 
@@ -148,7 +148,7 @@ def _one(
     if is_auto and what is not None and not isinstance(what, Given) and (reference or has(shape, POINTERS)):
         found.written = written_cast(what)
     if is_auto and what is not None and not isinstance(what, Given) and found.written is None:
-        found.over = what, ()
+        found.over = Over(what, (), tuple(body.scopes))
     if static:
         result = NO_REGISTER
 

@@ -29,7 +29,7 @@ from rosward.frontends.cpp.lower.types import (
     has,
     within,
 )
-from rosward.frontends.cpp.lower.variables import Loop
+from rosward.frontends.cpp.lower.variables import Loop, Over
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.control import Break, ForEach, If, While
 from rosward.ir.core import NO_REGISTER, Compare
@@ -196,7 +196,7 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
         bind(body, node, shape, names, src)
         second = body.variable(word(names.named_children[-1])) if len(names.named_children) == _PAIR else None
         if second is not None and over is not None:
-            second.over = over, (ELEMENT, f"{NUMBERED}1")
+            second.over = Over(over, (ELEMENT, f"{NUMBERED}1"), tuple(body.scopes))
         return
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
     if kind != NO_REGISTER:
@@ -208,7 +208,7 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
     )
     is_auto = type_node is None or type_node.type in _AUTO
     found.written = None if type_node is None or is_auto else (type_node, shape)
-    found.over = (over, (ELEMENT,)) if is_auto and over is not None else None
+    found.over = Over(over, (ELEMENT,), tuple(body.scopes)) if is_auto and over is not None else None
     body.write(node, found, src)
     body.free_register = body.floor
 

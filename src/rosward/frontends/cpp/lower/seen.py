@@ -94,7 +94,12 @@ def _of_variable(body: Body, node: Node, place: tuple[int, int], depth: int) -> 
     if variable is None:
         return _of_own(body, node, place)
     if variable.over is not None:
-        return _parts(place, body, _typed(body, variable.over[0], place, depth + 1), *variable.over[1])
+        outer, body.scopes = body.scopes, list(variable.over.scopes)
+        try:
+            whole = _typed(body, variable.over.value, place, depth + 1)
+        finally:
+            body.scopes = outer
+        return _parts(place, body, whole, *variable.over.parts)
     if variable.written is None or variable.raw or _PLAIN.match((variable.written[0].text or b"").decode()):
         return _NOTHING
     return _written(body, variable.written)

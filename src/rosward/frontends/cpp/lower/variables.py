@@ -65,7 +65,7 @@ class Variable:
         self.constant = False
         self.leads_to_constant = False
         self.written: tuple[Node, Node | None] | None = None
-        self.over: tuple[Node, tuple[str, ...]] | None = None
+        self.over: Over | None = None
         self.raw = raw or pack or type_
         self.pack = pack
         self.type = type_
@@ -83,6 +83,14 @@ class Scope:
         self.floor = floor
         self.names: dict[str, Variable] = {}
         self.objects: list[Variable] = []
+
+
+class Over(NamedTuple):
+    """What a variable that is declared `auto` is part of: the expression, the way from there, and the blocks in which its names mean something."""
+
+    value: Node
+    parts: tuple[str, ...]
+    scopes: tuple[Scope, ...]
 
 
 class Loop(NamedTuple):
