@@ -200,6 +200,9 @@ class Symbols(Protocol):
     def is_namespace(self, scope: Scope) -> bool:
         """Whether anything is declared in a namespace of that name."""
 
+    def is_elsewhere(self, scope: Scope, name: str) -> bool:
+        """Whether another namespace than this has functions of that name."""
+
     @property
     def unaware(self) -> Mapping[str, frozenset[Scope]]:
         """The files that know nothing of ROS, and keep nothing between two calls, unless they are handed something of these namespaces."""

@@ -82,7 +82,18 @@ def declared_type(machine: Engine, name: str, frame: Frame) -> Value:
     """The type that a field or variable is declared with; none where none is written."""
     env = ModuleValue(frame.module.address, frame.module.name, frame.code.file)
     found = names.unqualified(machine, env, name.removesuffix(CALLED))
-    return of_found(machine, found, called=name.endswith(CALLED)) if isinstance(found, Found) else NONE
+    called = name.endswith(CALLED)
+    if not isinstance(found, Found) or (called and _may_be_another(machine, found, name.removesuffix(CALLED))):
+        return NONE
+    return of_found(machine, found, called=called)
+
+
+def _may_be_another(machine: Engine, found: Found, name: str) -> bool:
+    """Whether a call may mean a function of the namespace of an argument instead."""
+    if found.owner is not None or not any(s.parameters for s in found.symbols):
+        return False
+    program = linked(machine)
+    return program.symbols.is_elsewhere(program.scope_of(found.env), name)
 
 
 def this_of(frame: Frame) -> tuple[Ref, ...]:

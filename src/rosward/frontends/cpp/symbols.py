@@ -50,6 +50,7 @@ class CppSymbols:
         self._scopes: dict[Scope, dict[str, list[CppSymbol]]] = {}
         self._used: dict[Scope, Sequence[CppSymbol]] = {}
         self._found: dict[tuple[Scope, str], Sequence[CppSymbol]] = {}
+        self._elsewhere: dict[tuple[Scope, str], bool] = {}
 
     def at(self, scope: Scope, name: str) -> Sequence[CppSymbol]:
         """What a scope declares under a name, over all files of the program, in their order."""
@@ -106,6 +107,15 @@ class CppSymbols:
     def is_namespace(self, scope: Scope) -> bool:
         """Whether anything is declared in a namespace of that name."""
         return scope in self._spaces
+
+    def is_elsewhere(self, scope: Scope, name: str) -> bool:
+        """Whether another namespace than this has functions of that name."""
+        found = self._elsewhere.get((scope, name))
+        if found is None:
+            others = (space for space in self._spaces if space != scope)
+            found = any(s.kind is SymbolKind.FUNCTION for space in others for s in self.at(space, name))
+            self._elsewhere[scope, name] = found
+        return found
 
     @cached_property
     def digest(self) -> str:

@@ -13,7 +13,7 @@ from rosward.frontends.cpp.lower.initialisers import Given, construct, given
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import parts_of
-from rosward.frontends.cpp.lower.seen import own, written_cast
+from rosward.frontends.cpp.lower.seen import over, own, written_cast
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import (
     ARRAYS,
@@ -28,7 +28,7 @@ from rosward.frontends.cpp.lower.types import (
     type_of,
     within,
 )
-from rosward.frontends.cpp.lower.variables import Over, Variable
+from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.lower.vexing import arguments_in, meant, referent
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.core import NO_REGISTER, Binary
@@ -98,11 +98,14 @@ def variable(
         body.unknown(declarator, "syntax")
         return None
     if name.type == "structured_binding_declarator":
+        parts = (
+            [over(body, value, f"{NUMBERED}{i}") for i in range(len(name.named_children))] if value is not None else []
+        )
         bind(body, node, shape, name, body.slot(value) if has(shape, REFERENCES) else body.own(value))
-        for index, child in enumerate(name.named_children):
+        for child, each in zip(name.named_children, parts, strict=False):
             bound = body.variable(word(child))
-            if bound is not None and value is not None:
-                bound.over = Over(value, (f"{NUMBERED}{index}",), tuple(body.scopes))
+            if bound is not None:
+                bound.over = each
         return None
     return _one(body, node, type_node, shape, word(name), what, static=static, equals=equals)
 
@@ -133,6 +136,8 @@ def _one(
     itself = isinstance(what, Given) or what is None or what.type != "lambda_expression"  # a lambda may call itself
     constant = has_const(node) and itself and not has(shape, POINTERS | ARRAYS)
     characters = not reference and is_text_array(type_node, shape, const=has_const(node))
+    is_auto = type_node is None or type_node.type in _AUTO
+    whole = over(body, what) if is_auto and what is not None and not isinstance(what, Given) else None
     found = body.declare(
         name,
         reference=reference or static,
@@ -143,12 +148,11 @@ def _one(
     )
     found.buffer = characters
     found.leads_to_constant = has_const(node) and has(shape, POINTERS)
-    is_auto = type_node is None or type_node.type in _AUTO
+    is_first = found.written is None and found.over is None  # not so in another branch of an `#if`
     found.written = (type_node, shape) if type_node is not None and not is_auto else None
     if is_auto and what is not None and not isinstance(what, Given) and (reference or has(shape, POINTERS)):
         found.written = written_cast(what)
-    if is_auto and what is not None and not isinstance(what, Given) and found.written is None:
-        found.over = Over(what, (), tuple(body.scopes))
+    found.over = whole if is_first and found.written is None else None
     if static:
         result = NO_REGISTER
 

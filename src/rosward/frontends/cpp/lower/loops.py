@@ -16,6 +16,7 @@ from rosward.frontends.cpp.lower.declarations import bind
 from rosward.frontends.cpp.lower.jumps import behind_loop
 from rosward.frontends.cpp.lower.narrowing import Fact, Outcome, Subject, assumed, condition
 from rosward.frontends.cpp.lower.operators import choose
+from rosward.frontends.cpp.lower.seen import over
 from rosward.frontends.cpp.lower.statements import branch, continue_, tested
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import (
@@ -29,7 +30,7 @@ from rosward.frontends.cpp.lower.types import (
     has,
     within,
 )
-from rosward.frontends.cpp.lower.variables import Loop, Over
+from rosward.frontends.cpp.lower.variables import Loop
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.control import Break, ForEach, If, While
 from rosward.ir.core import NO_REGISTER, Compare
@@ -186,29 +187,31 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
         if type_node is not None and type_node.type not in _AUTO:
             kind = declared_type(body, type_node, shape)
         body.emit(Copy(*place, src, item, kind))
-    names, over = shape, node.child_by_field_name("right")
+    names, right = shape, node.child_by_field_name("right")
     for _ in range(DECLARATORS):
         inner = None if names.type == "structured_binding_declarator" else within(names)
         if inner is None:
             break
         names = inner
     if names.type == "structured_binding_declarator":
+        whole = over(body, right, ELEMENT, f"{NUMBERED}1") if right is not None else None
         bind(body, node, shape, names, src)
         second = body.variable(word(names.named_children[-1])) if len(names.named_children) == _PAIR else None
-        if second is not None and over is not None:
-            second.over = Over(over, (ELEMENT, f"{NUMBERED}1"), tuple(body.scopes))
+        if second is not None:
+            second.over = whole
         return
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
     if kind != NO_REGISTER:
         body.emit(Convert(*place, src, src, kind, "init"))
     number = "" if points or reference else builtin(type_node)
     constant = has_const(node) and not points
+    is_auto = type_node is None or type_node.type in _AUTO
+    whole = over(body, right, ELEMENT) if is_auto and right is not None else None
     found = body.declare(
         word(names), reference=reference, builtin=number, pointer=has(shape, POINTERS), constant=constant
     )
-    is_auto = type_node is None or type_node.type in _AUTO
     found.written = None if type_node is None or is_auto else (type_node, shape)
-    found.over = Over(over, (ELEMENT,), tuple(body.scopes)) if is_auto and over is not None else None
+    found.over = whole
     body.write(node, found, src)
     body.free_register = body.floor
 

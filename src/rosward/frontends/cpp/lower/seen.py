@@ -15,6 +15,7 @@ from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.names import Written, of_parts, parts_of
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, declared_type, has, type_of
+from rosward.frontends.cpp.lower.variables import Over, Variable
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp import Copy, Declared, TypeOfValue
 from rosward.ir.cpp_names import ARROW, CALLED, DOT, LED, NUMBERED, UNDER
@@ -63,21 +64,50 @@ def _of_own(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]
     return [Declared(*place, dst, word(node))], dst
 
 
-def _typed(body: Body, node: Node | None, place: tuple[int, int], depth: int = 0) -> tuple[Block, int]:
-    """The type of an expression as it is declared, without doing what it says; none where that is not written."""
+def over(body: Body, node: Node, *which: str) -> Over:
+    """What a variable is a part of, to be asked before that variable is declared: `for (auto & v : v)`."""
+    first = _first(node)
+    return Over(node, which, None if first is None else body.variable(word(first)))
+
+
+def _first(node: Node) -> Node | None:
+    """The name with which an expression begins that `_typed` looks at: `v` of `(*v[0]).x->f()`."""
+    here: Node | None = node
+    for _ in range(_DEPTH):
+        if here is None or here.type == "identifier":
+            return here
+        if here.type == "parenthesized_expression":
+            here = here.named_children[0] if here.named_children else None
+        elif here.type == "call_expression":
+            function = here.child_by_field_name("function")
+            listed = here.child_by_field_name("arguments")
+            is_std = function is not None and function.type == "qualified_identifier"
+            here = function if not is_std else listed.named_children[0] if listed and listed.named_children else None
+        else:
+            here = here.child_by_field_name("argument")
+    return None
+
+
+def _typed(
+    body: Body, node: Node | None, place: tuple[int, int], depth: int = 0, part_of: Over | None = None
+) -> tuple[Block, int]:
+    """The type of an expression as it is declared, without doing what it says; none where that is not written.
+
+    `part_of`: the expression stands where a variable was declared, and its first name is what that meant there.
+    """
     if node is None or depth > _DEPTH:
         return _NOTHING
     kind = node.type
     if kind == "parenthesized_expression":
-        return _typed(body, node.named_children[0] if node.named_children else None, place, depth + 1)
+        return _typed(body, node.named_children[0] if node.named_children else None, place, depth + 1, part_of)
     if kind == "identifier":
-        return _of_variable(body, node, place, depth)
+        return _of_variable(body, node, place, depth, part_of)
     if kind == "pointer_expression" and node.children[0].type == "*":
-        return _parts(place, body, _typed(body, node.child_by_field_name("argument"), place, depth + 1), LED)
+        return _parts(place, body, _typed(body, node.child_by_field_name("argument"), place, depth + 1, part_of), LED)
     if kind == "subscript_expression":
-        return _parts(place, body, _typed(body, node.child_by_field_name("argument"), place, depth + 1), UNDER)
+        return _parts(place, body, _typed(body, node.child_by_field_name("argument"), place, depth + 1, part_of), UNDER)
     if kind == "field_expression":
-        return _of_member(body, node, place, depth)
+        return _of_member(body, node, place, depth, part_of)
     cast = _cast(node)
     if cast is not None:
         return _lowered(body, lambda: type_of(body, cast))
@@ -85,27 +115,29 @@ def _typed(body: Body, node: Node | None, place: tuple[int, int], depth: int = 0
     if function is None:
         return _NOTHING
     if function.type == "field_expression":
-        return _of_member(body, function, place, depth, CALLED)
-    return _of_call(body, node, function, place, depth)
+        return _of_member(body, function, place, depth, part_of, CALLED)
+    return _of_call(body, node, function, place, depth, part_of)
 
 
-def _of_variable(body: Body, node: Node, place: tuple[int, int], depth: int) -> tuple[Block, int]:
-    variable = body.variable(word(node))
+def _of_variable(body: Body, node: Node, place: tuple[int, int], depth: int, part_of: Over | None) -> tuple[Block, int]:
+    variable = _named(body, node, part_of)
     if variable is None:
         return _of_own(body, node, place)
     if variable.over is not None:
-        outer, body.scopes = body.scopes, list(variable.over.scopes)
-        try:
-            whole = _typed(body, variable.over.value, place, depth + 1)
-        finally:
-            body.scopes = outer
-        return _parts(place, body, whole, *variable.over.parts)
+        whole = variable.over
+        return _parts(place, body, _typed(body, whole.node, place, depth + 1, whole), *whole.which)
     if variable.written is None or variable.raw or _PLAIN.match((variable.written[0].text or b"").decode()):
         return _NOTHING
     return _written(body, variable.written)
 
 
-def _of_member(body: Body, node: Node, place: tuple[int, int], depth: int, called: str = "") -> tuple[Block, int]:
+def _named(body: Body, node: Node, part_of: Over | None) -> Variable | None:
+    return body.variable(word(node)) if part_of is None else part_of.first
+
+
+def _of_member(
+    body: Body, node: Node, place: tuple[int, int], depth: int, part_of: Over | None, called: str = ""
+) -> tuple[Block, int]:
     """The type of `o.x` and `p->x`, or of what these return."""
     owner, field = node.child_by_field_name("argument"), node.child_by_field_name("field")
     if owner is None or field is None or field.type != "field_identifier":
@@ -116,13 +148,15 @@ def _of_member(body: Body, node: Node, place: tuple[int, int], depth: int, calle
         dst = body.register()
         return [Declared(*place, dst, word(field) + called)], dst
     before = DOT if word(node.child_by_field_name("operator")) == "." else ARROW
-    return _parts(place, body, _typed(body, owner, place, depth + 1), f"{before}{word(field)}{called}")
+    return _parts(place, body, _typed(body, owner, place, depth + 1, part_of), f"{before}{word(field)}{called}")
 
 
-def _of_call(body: Body, node: Node, function: Node, place: tuple[int, int], depth: int) -> tuple[Block, int]:
+def _of_call(
+    body: Body, node: Node, function: Node, place: tuple[int, int], depth: int, part_of: Over | None
+) -> tuple[Block, int]:
     """The type of what `f(…)`, `Lamp::f(…)`, `std::get<0>(…)` return."""
     if function.type == "identifier":
-        if body.variable(word(function)) is not None:
+        if _named(body, function, part_of) is not None:
             return _NOTHING
         dst = body.register()
         return [Declared(*place, dst, word(function) + CALLED)], dst
@@ -136,7 +170,7 @@ def _of_call(body: Body, node: Node, function: Node, place: tuple[int, int], dep
         number = word(types).strip("<> ") if types is not None else ""
         if name not in _SAME and (name != "get" or not number.isdigit()):
             return _NOTHING
-        whole = _typed(body, argument, place, depth + 1)
+        whole = _typed(body, argument, place, depth + 1, part_of)
         return whole if name in _SAME else _parts(place, body, whole, f"{NUMBERED}{number}")
     if types is not None or written.base is not None:
         return _NOTHING

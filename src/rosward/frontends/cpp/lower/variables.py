@@ -13,6 +13,14 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 
+class Over(NamedTuple):
+    """What a variable begins with, which part of it that is, and the variable that the first name in it meant there; None where that is none."""
+
+    node: Node
+    which: tuple[str, ...]
+    first: Variable | None
+
+
 @final
 class Variable:
     """A local variable: in a register, or in a cell where something may refer to it.
@@ -22,7 +30,7 @@ class Variable:
     to the first of them. `raw`: a type, a constant of a template or a pack, which is taken as it is; `pack` tells the last, `type` a type or
     constant. `path`: it is no variable at all, but another name for that (`using std::string;`, `namespace fs = std::filesystem;`), with ''
     first where that begins with `::`. `written` is the type that it is declared with, and what its declarator adds. `over`: where that is
-    `auto`, what it begins with, or the loop runs over, and which part of that it is. `members` are the enumerators of an enum.
+    `auto`, what it begins with, or the loop runs over. `members` are the enumerators of an enum.
     """
 
     __slots__ = (
@@ -83,14 +91,6 @@ class Scope:
         self.floor = floor
         self.names: dict[str, Variable] = {}
         self.objects: list[Variable] = []
-
-
-class Over(NamedTuple):
-    """What a variable that is declared `auto` is part of: the expression, the way from there, and the blocks in which its names mean something."""
-
-    value: Node
-    parts: tuple[str, ...]
-    scopes: tuple[Scope, ...]
 
 
 class Loop(NamedTuple):
