@@ -364,9 +364,9 @@ def _walked(here: Memory, beside: Beside, body: list[Any]) -> list[int]:
     return found
 
 
-@given(writes, bodies, st.lists(st.tuples(further, keys, leading), max_size=3), st.booleans())
+@given(writes, bodies, st.lists(st.tuples(further, keys, leading), max_size=3), st.booleans(), st.frozensets(further))
 def test_a_walk_that_holds_beside_others_finds_and_leaves_what_a_new_one_does(
-    before: list[Any], body: list[Any], more: list[Any], begun: bool
+    before: list[Any], body: list[Any], more: list[Any], begun: bool, merged: frozenset[Root]
 ) -> None:
     """Whatever callbacks have written since: what the walk does not touch changes nothing. `begun`: they do so once it stands before the call."""
     start = written(before)
@@ -379,12 +379,14 @@ def test_a_walk_that_holds_beside_others_finds_and_leaves_what_a_new_one_does(
     tracker, shape.tracker = shape.tracker, None
     left = here.left(tracker, {})
     tracker.ended()
-    each = Remembered((), tracker, left, NOTHING, 0, state, 0)
+    each = Remembered((), tracker, left, NOTHING, 0, state, 0, 0)
     again, callback = beside.memory.copy(), beside.memory.copy()
+    beside.memory.merge(merged)
     for root, key, mark in more:
+        callback.current()
         callback.write(frozenset((root,)), key, mark)
     beside.take(callback)
-    again = again if begun else beside.memory.copy()
+    again = again.current() if begun else beside.memory.copy()
     anew = again.copy()
     if not (again.finds(tracker) and beside.holds(each)):
         return

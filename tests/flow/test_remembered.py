@@ -13,7 +13,7 @@ from rosward.flow.tracker import Tracker
 def _remembered(news: News, *asked: object) -> Remembered:
     tracker = Tracker()
     tracker.asked.update(asked)
-    return Remembered((), tracker, (), NOTHING, 0, 0, news.told)
+    return Remembered((), tracker, (), NOTHING, 0, 0, news.told, 0)
 
 
 def test_what_changed_later_is_not_held() -> None:

@@ -33,6 +33,7 @@ class Beside:
         self._shape = shape
         self._met: dict[int, Memory] = {}  # the states that somebody met
         self._moved: dict[int, dict[Root, Keys]] = {}  # what has changed since each of them, up to now
+        self._merges = 0  # so many merges of objects are taken into account there
 
     def take(self, memory: Memory) -> bool:
         """What stands in a memory may stand here; whether that is more."""
@@ -52,7 +53,10 @@ class Beside:
         memory.meet(self.memory, self.state)
 
     def holds(self, each: Remembered) -> bool:
-        """Whether a walk finds here what it found: nothing that it has read or written has changed since."""
+        """Whether a walk finds here what it found: nothing that it has read or written has changed since, nor stands for several objects."""
+        numbers = self.memory.numbers
+        if each.merges != len(numbers.merges) and any(numbers.one(root) != root for root, _, _ in each.writes):
+            return False
         if not each.tracker.beside or each.beside == self.state:
             return True
         moved = self._since(each.beside)
@@ -64,13 +68,19 @@ class Beside:
         return not any(self._is_among(root, keys, moved) for root, keys, _ in each.writes)
 
     def _is_among(self, root: Root, keys: Keys, moved: dict[Root, Keys]) -> bool:
-        if root in moved:
-            others = moved[root]
+        one = self.memory.numbers.one
+        here = one(root)
+        if here in moved:
+            others = moved[here]
             return keys is None or others is None or not keys.isdisjoint(others)
-        return any(owner in moved for owner in behind(root, self._shape.inner))
+        return any(one(owner) in moved for owner in behind(root, self._shape.inner))
 
     def _since(self, state: int) -> dict[Root, Keys] | None:
         """What has changed since a state, with the slots (None: all); None where nobody knows."""
+        merges = len(self.memory.numbers.merges)
+        if merges != self._merges:
+            self._merges = merges
+            self._moved.clear()
         found = self._moved.get(state)
         if found is None:
             before = self._met.get(state)

@@ -35,7 +35,8 @@ class Written(NamedTuple):
 class Remembered(NamedTuple):
     """One walk: what it found, and what it left.
 
-    `raising` is what may have failed in it; `beside` how often callbacks had written when it began, `told` how often all else had changed.
+    `raising` is what may have failed in it; `beside` how often callbacks had written when it began, `told` how often all else had changed;
+    `merges` how often objects were merged when it ended.
     """
 
     given: tuple[object, ...]
@@ -45,6 +46,7 @@ class Remembered(NamedTuple):
     raising: int
     beside: int
     told: int
+    merges: int
 
 
 @final

@@ -313,10 +313,10 @@ class Walker:
         if self.attempts:
             self.attempts[-1].mask |= before
         if not tracker.open:
-            left = self.memory.left(tracker, self._key_sets)
+            left, merges = self.memory.left(tracker, self._key_sets), len(self.memory.numbers.merges)
             tracker.ended(self._key_sets)
             del earlier[MOST[activation.code.language] - 1 :]
-            earlier.insert(0, Remembered(given, tracker, left, result, raising, beside, told))
+            earlier.insert(0, Remembered(given, tracker, left, result, raising, beside, told, merges))
         return result
 
     def _repeat(self, each: Remembered, outer: Tracker | None) -> None:
