@@ -8,6 +8,7 @@ def on_timer(self):
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.flow.marks import Root, behind
@@ -62,10 +63,8 @@ class Beside:
         moved = self._since(each.beside)
         if moved is None:
             return False
-        for root, keys, _ in each.tracker.was_read():
-            if self._is_among(root, keys, moved):
-                return False
-        return not any(self._is_among(root, keys, moved) for root, keys, _ in each.writes)
+        touched = chain(each.tracker.was_read(), each.writes)
+        return not any(self._is_among(root, keys, moved) for root, keys, _ in touched)
 
     def _is_among(self, root: Root, keys: Keys, moved: dict[Root, Keys]) -> bool:
         one = self.memory.numbers.one

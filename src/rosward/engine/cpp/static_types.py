@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import lift
 from rosward.domain.slots import TypeOf
-from rosward.domain.values import NONE, Class, Const, Value
+from rosward.domain.values import NONE, Class, Value
 from rosward.engine.cpp import names
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.names import Found
@@ -23,7 +23,7 @@ from rosward.models.cpp.types import argument, name_of
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["numbered", "of_found", "part"]
+__all__ = ["of_found", "part"]
 
 _MAPS: Final = frozenset({"std.map", "std.multimap", "std.unordered_map", "std.unordered_multimap"})
 _ARRAYS: Final = frozenset({"array", "std.array", "std.deque", "std.span", "std.vector"})
@@ -40,11 +40,10 @@ def part(machine: Engine, type_: Value, which: str) -> Value:
     return lift(lambda each: _part(machine, each, which), type_)
 
 
-def numbered(type_: Value, number: Value) -> Value:
+def _numbered(type_: Value, number: int) -> Value:
     """The type of `std::get<number>(x)`: of a pair or tuple."""
-    index = number.value if isinstance(number, Const) else None
-    is_one = isinstance(type_, TypeOf) and type_.name in ("std.pair", "std.tuple") and isinstance(index, int)
-    return argument(type_, index) if is_one and isinstance(index, int) and index >= 0 else NONE
+    is_one = isinstance(type_, TypeOf) and type_.name in ("std.pair", "std.tuple")
+    return argument(type_, number) if is_one else NONE
 
 
 def of_found(machine: Engine, found: Found, *, called: bool) -> Value:
@@ -66,7 +65,7 @@ def _part(machine: Engine, type_: Value, which: str) -> Value:
     if which == UNDER:
         return _under(type_)
     if which.startswith(NUMBERED):
-        return numbered(type_, Const(int(which.removeprefix(NUMBERED))))
+        return _numbered(type_, int(which.removeprefix(NUMBERED)))
     name = which.removeprefix(DOT).removesuffix(CALLED)
     called = which.endswith(CALLED)
     if isinstance(type_, Class):
@@ -75,7 +74,7 @@ def _part(machine: Engine, type_: Value, which: str) -> Value:
         return of_found(machine, found, called=called) if found is not None else NONE
     if called:
         return _of_library(type_, name)
-    return numbered(type_, Const(0 if name == "first" else 1)) if name in ("first", "second") else NONE
+    return _numbered(type_, 0 if name == "first" else 1) if name in ("first", "second") else NONE
 
 
 def _of_library(type_: Value, name: str) -> Value:

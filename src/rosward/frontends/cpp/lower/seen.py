@@ -103,9 +103,9 @@ def _typed(
     if kind == "identifier":
         return _of_variable(body, node, place, depth, part_of)
     if kind == "pointer_expression" and node.children[0].type == "*":
-        return _parts(place, body, _typed(body, node.child_by_field_name("argument"), place, depth + 1, part_of), LED)
+        return _parts(body, _typed(body, node.child_by_field_name("argument"), place, depth + 1, part_of), place, LED)
     if kind == "subscript_expression":
-        return _parts(place, body, _typed(body, node.child_by_field_name("argument"), place, depth + 1, part_of), UNDER)
+        return _parts(body, _typed(body, node.child_by_field_name("argument"), place, depth + 1, part_of), place, UNDER)
     if kind == "field_expression":
         return _of_member(body, node, place, depth, part_of)
     cast = _cast(node)
@@ -125,7 +125,7 @@ def _of_variable(body: Body, node: Node, place: tuple[int, int], depth: int, par
         return _of_own(body, node, place)
     if variable.over is not None:
         whole = variable.over
-        return _parts(place, body, _typed(body, whole.node, place, depth + 1, whole), *whole.which)
+        return _parts(body, _typed(body, whole.node, place, depth + 1, whole), place, *whole.which)
     if variable.written is None or variable.raw or _PLAIN.match((variable.written[0].text or b"").decode()):
         return _NOTHING
     return _written(body, variable.written)
@@ -148,7 +148,7 @@ def _of_member(
         dst = body.register()
         return [Declared(*place, dst, word(field) + called)], dst
     before = DOT if word(node.child_by_field_name("operator")) == "." else ARROW
-    return _parts(place, body, _typed(body, owner, place, depth + 1, part_of), f"{before}{word(field)}{called}")
+    return _parts(body, _typed(body, owner, place, depth + 1, part_of), place, f"{before}{word(field)}{called}")
 
 
 def _of_call(
@@ -171,14 +171,13 @@ def _of_call(
         if name not in _SAME and (name != "get" or not number.isdigit()):
             return _NOTHING
         whole = _typed(body, argument, place, depth + 1, part_of)
-        return whole if name in _SAME else _parts(place, body, whole, f"{NUMBERED}{number}")
+        return whole if name in _SAME else _parts(body, whole, place, f"{NUMBERED}{number}")
     if types is not None or written.base is not None:
         return _NOTHING
-    scope = written._replace(parts=written.parts[:-1])
-    return _parts(place, body, _lowered(body, lambda: of_parts(body, function, scope, "value")), f"{DOT}{name}{CALLED}")
+    return _parts(body, _around(body, function, written), place, f"{DOT}{name}{CALLED}")
 
 
-def _parts(place: tuple[int, int], body: Body, whole: tuple[Block, int], *which: str) -> tuple[Block, int]:
+def _parts(body: Body, whole: tuple[Block, int], place: tuple[int, int], *which: str) -> tuple[Block, int]:
     """The type of a part of what has a type."""
     block, register = whole
     for each in which if register != NO_REGISTER else ():
@@ -188,7 +187,13 @@ def _parts(place: tuple[int, int], body: Body, whole: tuple[Block, int], *which:
     return block, register
 
 
+def _around(body: Body, node: Node, written: Written) -> tuple[Block, int]:
+    """The class or namespace that is written in front of a name."""
+    return _lowered(body, lambda: of_parts(body, node, written._replace(parts=written.parts[:-1]), "value"))
+
+
 def _lowered(body: Body, lower: Callable[[], int]) -> tuple[Block, int]:
+    """The operations that are emitted, and where their result stands."""
     found = NO_REGISTER
 
     def inner() -> None:
@@ -239,13 +244,7 @@ _CASTS: Final = frozenset({"static_cast", "dynamic_cast", "const_cast", "reinter
 def seen_scope(body: Body, field: Node, node: Node | None, written: Written | None) -> tuple[Block, int]:
     """The same for a field: `o.Base::x` says it, a cast, a reference or pointer to a class of the program."""
     if written is not None and len(written.parts) > 1:
-        found = NO_REGISTER
-
-        def lower() -> None:
-            nonlocal found
-            found = of_parts(body, field, written._replace(parts=written.parts[:-1]), "value")
-
-        return body.block(lower), found
+        return _around(body, field, written)
     plain = _plain(node)
     is_name = plain is not None and plain.type == "identifier"
     variable = body.variable(word(plain)) if is_name else None
