@@ -148,7 +148,7 @@ def _topics(said: str) -> set[str]:
 
 
 @pytest.mark.parametrize("budget", [Budget(), _LITTLE], ids=["usual", "little"])
-@pytest.mark.parametrize("seed", sample(range(16), 8))
+@pytest.mark.parametrize("seed", sample(range(16), 16))
 def test_the_result_is_that_of_following_all(
     seed: int, budget: Budget, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 import pytest
+from sampling import sample
 
 from .test_cpp import flows
 from .test_cpp_ways import PROGRAM
@@ -110,7 +111,7 @@ CASES: Final = {
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", sample(CASES, 2))
 def test_it_is_seen(name: str, tmp_path: Path) -> None:
     case = CASES[name]
     program = PROGRAM.replace("@type@", "Float64").replace("@methods@", "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Promise: `rosward flow` writes what its schema says, and the same on each run."""
+"""Promise: `rosward flow` writes what its schema says, and the same of the same result (`test_each_run.py`: the same on each run)."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ from rosward.cli import main
 EXAMPLES = str(Path(__file__).parents[2] / "examples")
 SCHEMA = json.loads((resources.files("rosward.outputs") / "schemas" / "flow.schema.json").read_text())
 FLEET = ["--launch", "delivery_bringup:fleet.launch.py"]
+
+pytestmark = pytest.mark.usefixtures("remembered")
 
 
 def printed(capsys: pytest.CaptureFixture[str], *words: str) -> str:

