@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options, reasons_of, widen
 from rosward.domain.compound import function_behind
+from rosward.domain.slots import Overloads
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, Ref, Unknown, Value
@@ -139,6 +140,8 @@ def _context(machine: Engine, callback: Value, event: str) -> int:
 
 
 def _code_key(callback: Value) -> str:
+    if callback.__class__ is Overloads:
+        return " ".join(function.code.key for function in callback.functions)
     function = function_behind(callback)
     return "" if function is None else function.code.key
 

@@ -34,7 +34,7 @@ from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
 from rosward.ir import cpp, ops
 from rosward.ir.registers import reads
-from rosward.models.cpp.copies import overlapping
+from rosward.models.cpp.shared_storage import overlapping
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker

@@ -24,6 +24,7 @@ from rosward.ir.core import CharText
 from rosward.models.cpp.captures import with_own_cells
 from rosward.models.cpp.characters import character_of
 from rosward.models.cpp.owners import give_away
+from rosward.models.cpp.shared_storage import overlapping, written
 from rosward.models.cpp.slots import key_of, read, referred_to
 from rosward.models.cpp.types import is_reference
 from rosward.models.native import Machine
@@ -39,7 +40,6 @@ __all__ = [
     "copied",
     "for_each",
     "opened",
-    "overlapping",
     "several",
     "write",
 ]
@@ -50,8 +50,6 @@ ASSIGN: Final = "<assign>"
 """The attribute of a class that says itself how another object is assigned to one of it: the functions, and the names of all its fields."""
 REFERENCES: Final = "<references>"
 """The attribute of a class with the names of its fields that are references: a tuple. What they lead to is no part of an object."""
-UNION: Final = "<union>"
-"""The attribute of a class with the names of its fields that share their storage, as those of a union do: a tuple."""
 _VALUE: Final = "value"
 _DEEPEST: Final = 12
 LEFT: Final = "left"
@@ -96,32 +94,12 @@ def _write(machine: Machine, slot: Slot, value: Value, *, weak: bool) -> None:
             _write_item(machine, base, key, value, weak=weak)
 
 
-def overlapping(cls: Obj | None, name: str) -> frozenset[str]:
-    """By the record of a class, the fields of its objects that are written with this one."""
-    rule = None if cls is None else cls.attrs.get(UNION)
-    if not isinstance(rule, Tuple):
-        return _NONE
-    names = frozenset(str(each.value) for each in rule.items if isinstance(each, Const))
-    return names - {name} if name in names else _NONE
-
-
-_NONE: Final = frozenset[str]()
-
-
-def _shared(machine: Machine, obj: Obj, others: frozenset[str], name: str, value: Value) -> tuple[Value, Obj]:
-    """A member of a union is written: what the others are by that nobody knows, nor what it is itself where others are written in parts."""
-    unknown = machine.unknown(Cause.OPERATION, f"member of a union: {name}")
-    attrs = {key: unknown if key in others and not isinstance(old, Ref) else old for key, old in obj.attrs.items()}
-    parts = any(isinstance(obj.attrs[key], Ref) for key in others)
-    return unknown if parts else value, obj.replace(attrs=attrs)
-
-
 def _write_field(machine: Machine, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
     obj = machine.obj(ref)
     cls = machine.obj(Ref(obj.cls.address)) if isinstance(obj.cls, Class) else None
     others = overlapping(cls, name).intersection(obj.attrs)
     if others:
-        value, obj = _shared(machine, obj, others, name, value)
+        value, obj = written(machine, obj, others, name, value)
     old = obj.attrs.get(name)
     if old is not None and (weak or obj.many):
         value = join(old, value)
@@ -177,12 +155,9 @@ def _copied(machine: Machine, value: Value, known: dict[int, Value], depth: int)
         most = _APART if depth == 0 else 1
         copies: list[Value] = []
         for alike in _alike(machine, found):
-            merged = _merged(machine, alike) if most < len(alike) and depth < _DEEPEST else None
-            if merged is None:
-                copies += [_copied(machine, option, known, depth) for option in alike]
-            else:
-                fresh = machine.allocate(merged, "copy of several")
-                copies.append(_filled(machine, fresh, merged, known, depth))
+            several = most < len(alike) and depth < _DEEPEST
+            one = _copy_of_several(machine, alike, known, depth) if several else None
+            copies += [_copied(machine, option, known, depth) for option in alike] if one is None else [one]
         return join_all(copies)
     if value.__class__ is Tuple:
         return Tuple(tuple(_copied(machine, read(machine, item), known, depth) for item in value.items))
@@ -211,6 +186,16 @@ def _copy_of(machine: Machine, ref: Ref, known: dict[int, Value], depth: int) ->
     made = _filled(machine, fresh, obj, known, depth)
     give_away(machine, ref)
     return made
+
+
+def _copy_of_several(machine: Machine, alike: list[Value], known: dict[int, Value], depth: int) -> Value | None:
+    """One copy for all of these objects of one class: else copies of copies are ever more. None where they are not copied."""
+    cls = machine.obj(alike[0]).cls if isinstance(alike[0], Ref) else NONE
+    own = _own(machine, cls, COPY)
+    if own is not None and not _never_copied(machine, cls):
+        return machine.call(own, (join_all(alike),))
+    merged = _merged(machine, alike)
+    return merged and _filled(machine, machine.allocate(merged, "copy of several"), merged, known, depth)
 
 
 def _filled(machine: Machine, fresh: Ref, obj: Obj, known: dict[int, Value], depth: int) -> Ref:

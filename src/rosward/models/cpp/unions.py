@@ -12,7 +12,8 @@ from typing import Final
 from rosward.domain.choice import options
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
-from rosward.models.cpp.copies import opened, overlapping, several
+from rosward.models.cpp.copies import opened, several
+from rosward.models.cpp.shared_storage import overlapping
 from rosward.models.native import Machine
 
 __all__ = ["take_member"]
