@@ -51,4 +51,5 @@ OWN: Final = LibraryFacts(
     ),
     asking=frozenset({"rclpy"}),
     before_sources=frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "nav2_common", "rclpy"}),
+    plugin_classes=(("qt_gui.plugin.Plugin", "rqt_gui.main._open"),),
 )
