@@ -22,6 +22,7 @@ from rosward.domain.unknown import Origins
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN
 from rosward.models.native import Machine
+from rosward.models.python.operators.member_values import member_value
 from rosward.models.python.plain import (
     LOOSE_HINTS,
     NOT_PLAIN,
@@ -128,6 +129,9 @@ def _in_turn(machine: Machine, op: str, left: tuple[Value, ...], right: tuple[Va
 def comparable(machine: Machine, value: Value, depth: int = MAX_DEPTH) -> object:
     """The Python object that a value surely is, lists included, to be compared; else NOT_PLAIN."""
     if isinstance(value, Ref):
+        held = member_value(machine, value)
+        if held is not None:
+            return held.value
         obj = machine.obj(value)
         if obj.kind != "list" or obj.items is None or not depth:
             return NOT_PLAIN
@@ -246,6 +250,9 @@ def _sequences(machine: Machine, left: tuple[Value, ...], right: tuple[Value, ..
 
 def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | None:
     """At least one object on the heap; the special methods of instances were tried before."""
+    members = [member_value(machine, v) for v in (left, right)]
+    if members != [None, None] and left != right:
+        return equal(machine, members[0] or left, members[1] or right, depth)
     kinds = (kind_of(machine, left), kind_of(machine, right))
     if "instance" in kinds or "generator" in kinds or "" in kinds:
         rows = (row_of(machine, left), row_of(machine, right)) if "instance" in kinds else (None, None)
@@ -324,7 +331,9 @@ def _instances(machine: Machine, left: Value, right: Value) -> bool | None:
 
 def compares(machine: Machine, value: Value) -> bool:
     """Whether the program says by `__eq__` to what an object is equal."""
-    return isinstance(value, Ref) and _has_equality(machine, machine.obj(value).cls)
+    if not isinstance(value, Ref) or member_value(machine, value) is not None:
+        return False
+    return _has_equality(machine, machine.obj(value).cls)
 
 
 def _has_equality(machine: Machine, cls: Value) -> bool:
