@@ -31,7 +31,7 @@ from rosward.models.python.containers.list_alternatives import elements_apart, k
 from rosward.models.python.containers.lists import ITERATOR, VIEW, new_tuple
 from rosward.models.python.containers.sets import new_set
 from rosward.models.python.operators.compare import kind_of
-from rosward.models.python.operators.member_values import member_value
+from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,

@@ -20,7 +20,7 @@ from rosward.models.python.builtins.lazy import acts, lazily, shared, stepped
 from rosward.models.python.containers.lists import ITERATOR, order, write_series
 from rosward.models.python.containers.views import renewed
 from rosward.models.python.operators.compare import comparable
-from rosward.models.python.operators.member_values import member_value
+from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,

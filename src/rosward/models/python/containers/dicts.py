@@ -18,8 +18,8 @@ from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.contents import bare, plain_data
-from rosward.models.python.operators.compare import compares, equal, row_of
-from rosward.models.python.operators.member_values import member_value
+from rosward.models.python.operators.compare import equal
+from rosward.models.python.operators.equal_objects import compares, member_value, row_of
 from rosward.models.python.plain import Raised, all_of, key_shown, native, origins, unknown_from, with_origins
 from rosward.models.ros.interfaces import is_of_interfaces, public_name
 from rosward.records import NamedTuple

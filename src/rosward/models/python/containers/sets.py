@@ -15,8 +15,7 @@ from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.dicts import key_of
 from rosward.models.python.containers.lists import add_to_rest, element, write
-from rosward.models.python.operators.compare import compares, row_of
-from rosward.models.python.operators.member_values import member_value
+from rosward.models.python.operators.equal_objects import compares, member_value, row_of
 from rosward.models.python.plain import Raised, key_shown, listed, native, unknown_from
 
 FROZEN: Final = Native("builtins.frozenset")

@@ -22,7 +22,7 @@ from rosward.domain.unknown import Origins
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN
 from rosward.models.native import Machine
-from rosward.models.python.operators.member_values import member_value
+from rosward.models.python.operators.equal_objects import has_equality, member_value, row_of
 from rosward.models.python.plain import (
     LOOSE_HINTS,
     NOT_PLAIN,
@@ -279,20 +279,6 @@ def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | 
     return None
 
 
-def row_of(machine: Machine, value: Value) -> Tuple | None:
-    """A tuple, or what a named tuple holds where it is one object of a class without an `__eq__` of its own."""
-    if not isinstance(value, Ref):
-        return value if isinstance(value, Tuple) else None
-    obj = machine.obj(value)
-    is_row = isinstance(obj.cls, Class) and any(isinstance(b, Class) and b.name == "_NamedTuple" for b in obj.cls.mro)
-    if not is_row or obj.many or obj.partial or _has_equality(machine, obj.cls):
-        return None
-    fields = machine.load_attr(obj.cls, "_fields")
-    names = [str(n.value) for n in fields.items if isinstance(n, Const)] if isinstance(fields, Tuple) else []
-    held = [obj.attrs[n] for n in names if n in obj.attrs]
-    return Tuple(tuple(held)) if names and len(held) == len(names) else None
-
-
 def _series(machine: Machine, left: Series, right: Series, depth: int) -> bool | None:
     """Two lists, of which one may have any number of elements in the middle."""
     if left.exact and right.exact:
@@ -319,26 +305,13 @@ def _instances(machine: Machine, left: Value, right: Value) -> bool | None:
         return None if isinstance(left, Ref) and machine.obj(left).many else True
     classes = [machine.obj(v).cls for v in (left, right) if isinstance(v, Ref) and machine.obj(v).kind == "instance"]
     plain_objects = all(
-        isinstance(c, Class) and all(isinstance(b, Class) for b in c.mro) and not _has_equality(machine, c)
+        isinstance(c, Class) and all(isinstance(b, Class) for b in c.mro) and not has_equality(machine, c)
         for c in classes
     )
     return (
         False
         if classes and plain_objects and not isinstance(left, External) and not isinstance(right, External)
         else None
-    )
-
-
-def compares(machine: Machine, value: Value) -> bool:
-    """Whether the program says by `__eq__` to what an object is equal."""
-    if not isinstance(value, Ref) or member_value(machine, value) is not None:
-        return False
-    return _has_equality(machine, machine.obj(value).cls)
-
-
-def _has_equality(machine: Machine, cls: Value) -> bool:
-    return isinstance(cls, Class) and any(
-        isinstance(b, Class) and not b.stub and "__eq__" in machine.obj(Ref(b.address)).attrs for b in cls.mro
     )
 
 

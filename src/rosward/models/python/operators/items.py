@@ -19,7 +19,7 @@ from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.lists import add_to_rest, write, write_series
 from rosward.models.python.operators.compare import kind_of
-from rosward.models.python.operators.member_values import member_value
+from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     Fresh,
     Raised,

@@ -18,6 +18,7 @@ def main():
     sys.exit(Main().main())
 
 class Main:
+    @reads_only
     def __init__(self, filename=None, settings_filename='rqt_gui'): ...
     def main(self, argv=None, standalone=None, plugin_argument_provider=None):
         if not standalone:
