@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 BY_LIBRARY: Final = "call by a library"
 BY_PYTHON: Final = "call by Python itself"
 BY_BASE: Final = "call by the base class"
-BY_WINDOW: Final = "call by a base class that knows nothing of ROS"
+BY_WINDOW: Final = "call by a base class of a library without nodes"
 """Events whose callbacks give their results to code that is not known."""
 
 _SPINS: Final = Tuple((Const("spins"),))
