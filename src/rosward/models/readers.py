@@ -76,5 +76,5 @@ def _dotted(callee: Value) -> list[str]:
             return [subject]
         if cause is Cause.MODULE:
             modules, _, name = subject.rpartition(": ")
-            return [f"{module}.{name}" for module in modules.split(" or ")]
+            return [f"{module}.{name}" for module in modules.split(" or ")] if modules else [name]
     return [""]
