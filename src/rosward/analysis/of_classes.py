@@ -2,6 +2,7 @@
 """Which classes does no process make, so that somebody else may?
 
 class Talker(Node)                                             nothing instantiates it: it is made with unknown arguments, and assumed
+class Panel(rqt_gui_py.plugin.Plugin)                          rqt loads it, as its model says: assumed, too
 class ArmEnv(gymnasium.Env)                                    a framework that is not read makes what derives from its classes
 class Driver: def init(self, robot, properties), def step      Webots makes what has these methods
 """
@@ -18,14 +19,16 @@ __all__ = ["called_from_outside", "node_classes"]
 
 
 def node_classes(seen: Iterable[Seen]) -> dict[str, list[str]]:
-    """The node classes that no process instantiates and no other class inherits from, by file: their names."""
-    return _by_file(c for c in _unmade(seen) if c.is_node)
+    """The classes of nodes and of plugins that no process instantiates and no other class inherits from, by file: their names."""
+    return _by_file(c for c in _unmade(seen) if c.is_node or c.is_plugin)
 
 
 def called_from_outside(seen: Iterable[Seen]) -> dict[str, list[str]]:
     """The classes that no process instantiates, but a framework may, by file: their names."""
     every = list(seen)
-    return _by_file(c for c in _unmade(every) if not c.is_node and (c.from_library or _is_webots_plugin(every, c)))
+    return _by_file(
+        c for c in _unmade(every) if not (c.is_node or c.is_plugin) and (c.from_library or _is_webots_plugin(every, c))
+    )
 
 
 _WEBOTS: Final = {"init": 3, "step": 1}

@@ -64,7 +64,7 @@ def _read_configuration(line: Json) -> Configuration | None:
 TASK: Final = record(Task, ENTRY, Codec(configuration_form, _read_configuration))
 """Written for a worker only, and read by one: nobody else can have written it."""
 
-CLASS: Final = record(ClassSeen, PLACE, TEXT, TEXT, PLACES, maybe(TEXT), FLAG, FLAG)
+CLASS: Final = record(ClassSeen, PLACE, TEXT, TEXT, PLACES, maybe(TEXT), FLAG, FLAG, FLAG)
 METHOD: Final = record(Method, TEXT, TEXT, TEXT, NUMBER)
 VARIABLE: Final = record(AskedVariable, TEXT, PLACES, LINES)
 SEEN: Final = record(

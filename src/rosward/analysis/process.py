@@ -27,6 +27,7 @@ from rosward.engine.reads import Reads
 from rosward.engine.shared import Shared
 from rosward.findings import Finding
 from rosward.guard import internal_error
+from rosward.ir.op import Op
 from rosward.ir.program import OpKey
 from rosward.records import NamedTuple, dataclass
 from rosward.source.location import Place
@@ -229,6 +230,8 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
         found = machine.at(address).attrs.get(qualname)
         if isinstance(found, Class) and _is_node(found, machine.library):
             assumed.make(machine, found)
+        elif isinstance(found, Class) and (loader := loader_of(found, machine.library)) is not None:
+            _load(machine, module, found, loader)
         elif isinstance(found, Class):
             machine.trace.handed[found] = found.place  # whoever calls it from outside has it
 
@@ -239,6 +242,25 @@ def _needs_nothing(function: Value) -> bool:
         len(function.code.parameters.positional) == len(function.defaults)
         and len(function.code.parameters.kwonly) == len(function.kwdefaults)
     )
+
+
+def _load(machine: Interpreter, module: ModuleValue, cls: Class, loader: str) -> None:
+    """Let a library load a plugin: what its model makes stands where the class does."""
+    read = machine.library.module(module.file)
+    if read is None:
+        return
+    frame = Frame(read.code, [], (), module, 0, stub=False)
+    frame.op = Op(cls.place.line, cls.place.column)
+    machine.frames.append(frame)
+    package, _, name = loader.rpartition(".")
+    machine.call(machine.load_attr(machine.load_module(package), name), (cls,), {})
+    machine.frames.pop()
+
+
+def loader_of(cls: Class, library: Shared) -> str | None:
+    """The function of a model that loads a class where the program does not, by its dotted name: of a plugin alone."""
+    above = {base.dotted for base in cls.mro if isinstance(base, Class) and base.stub}
+    return next((loader for base, loader in library.facts.plugin_classes if base in above), None)
 
 
 def _is_node(cls: Class, library: Shared) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final, NamedTuple
 
-from rosward.analysis.process import Run
+from rosward.analysis.process import Run, loader_of
 from rosward.domain.compound import External
 from rosward.domain.values import Class, Unknown, Value
 from rosward.effects.log import EffectLog
@@ -30,7 +30,8 @@ NOTED_METHODS: Final = frozenset({"init", "step"})
 class ClassSeen(NamedTuple):
     """A class of the program. `bases` are the places of its bases, as far as they are classes; `outside`: the first class above it that is not known.
 
-    `is_node`: it derives from one of nodes; `from_library`: from one of a library that is not read and may know ROS.
+    `is_node`: it derives from one of nodes; `is_plugin`: from one of plugins; `from_library`: from one of a library that is not read and may
+    know ROS.
     """
 
     place: Place
@@ -40,6 +41,7 @@ class ClassSeen(NamedTuple):
     outside: str | None
     is_node: bool
     from_library: bool
+    is_plugin: bool
 
 
 class Method(NamedTuple):
@@ -112,6 +114,7 @@ class _Above(NamedTuple):
     outside: Value | None
     is_node: bool
     from_library: bool
+    is_plugin: bool
 
 
 def _classes(log: EffectLog, library: Shared) -> Iterator[ClassSeen]:
@@ -128,6 +131,7 @@ def _classes(log: EffectLog, library: Shared) -> Iterator[ClassSeen]:
             None if above.outside is None else name_of(above.outside),
             above.is_node,
             above.from_library,
+            above.is_plugin,
         )
 
 
@@ -142,4 +146,5 @@ def _above(cls: Class, library: Shared) -> _Above:
             isinstance(b, External) and b.name.partition(".")[0] not in STANDARD_LIBRARY and not creates_nothing(b)
             for b in cls.mro
         ),
+        of_models and loader_of(cls, library) is not None,
     )

@@ -7,7 +7,7 @@ class N(Node):
     def later(self):                              # nothing calls it
         self.create_publisher(String, 'late', 10)
 if MODE == 'laser': …                             # MODE is known to be 'camera'
-class P(rqt_gui_py.plugin.Plugin): …              # nothing here makes a P, but rqt may: RW204
+class P(acme.plugin.Plugin): …                    # nothing here makes a P, but acme may: RW204
 """
 
 from __future__ import annotations

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 BY_LIBRARY: Final = "call by a library"
 BY_PYTHON: Final = "call by Python itself"
 BY_BASE: Final = "call by the base class"
+BY_WINDOW: Final = "call by a base class of a library without nodes"
 """Events whose callbacks give their results to code that is not known."""
 
 _SPINS: Final = Tuple((Const("spins"),))
@@ -50,7 +51,7 @@ def escape(machine: Engine, values: Iterable[Value], library: str, callee: Value
     for value in values:
         _reach(machine, value, "" if foreign else library, callee, 0, seen)
         if not reads:
-            change(machine, value, library)
+            change(machine, value, library or "a library")
 
 
 def may_call(machine: Engine, values: Iterable[Value]) -> None:

@@ -21,7 +21,7 @@ from rosward.engine.arguments import ANY
 from rosward.engine.attributes_asked import records_of
 from rosward.engine.budget import BeginAnewError, LimitReachedError
 from rosward.engine.catcher import LIBRARY
-from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
+from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON, BY_WINDOW
 from rosward.engine.frame import Frame
 from rosward.engine.scheduled import Scheduled
 from rosward.engine.throwing import note, throw
@@ -75,7 +75,7 @@ def add(
     book = machine.schedule_book
     for option in options(callback):
         key = (option, args)
-        book.by_library = book.by_library or event in (BY_LIBRARY, BY_BASE)
+        book.by_library = book.by_library or event in (BY_LIBRARY, BY_BASE, BY_WINDOW)
         if key not in book.entries and option.__class__ is not Unknown:
             entry = book.entries[key] = Scheduled(
                 option,
@@ -372,8 +372,8 @@ def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:
                 result = machine.run_out(result)[1]
             elif entry.callback.__class__ is Class:  # what a library makes is its own
                 machine.trace.handed.update((o, entry.place) for o in options(result) if o is not UNBOUND)
-            elif entry.event in (BY_LIBRARY, BY_BASE, BY_PYTHON) and result is not UNBOUND:
-                machine.escape((result,), "a library")
+            elif entry.event in (BY_LIBRARY, BY_BASE, BY_PYTHON, BY_WINDOW) and result is not UNBOUND:
+                machine.escape((result,), "" if entry.event == BY_WINDOW else "a library")
             if entry.answered is not None and result is not UNBOUND:
                 machine.call(entry.answered, (result,))
     except LimitReachedError as limit:

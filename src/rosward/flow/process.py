@@ -15,7 +15,7 @@ from rosward.domain.values import Function, Ref, Unknown, Value
 from rosward.effects.flows import Flow, ProcessFlows, Sink, Source
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
-from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
+from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON, BY_WINDOW
 from rosward.engine.seen import refs_of
 from rosward.flow import blocks, cpp, cpp_calls, hidden, implicit, straight
 from rosward.flow.awoken import callbacks_of
@@ -260,7 +260,9 @@ def _free(entry: Scheduled) -> int:
 
 def _implicit(walker: Walker, entry: Scheduled) -> bool:
     """Whether nothing in the program hands on this callback: Python calls it by itself, or a library that has an object of its class."""
-    return entry.event in (BY_PYTHON, BY_BASE) or (entry.event == BY_LIBRARY and entry not in walker.registered)
+    return entry.event in (BY_PYTHON, BY_BASE, BY_WINDOW) or (
+        entry.event == BY_LIBRARY and entry not in walker.registered
+    )
 
 
 def _as_registered(walker: Walker, entry: Scheduled) -> Mark:

@@ -5,6 +5,7 @@
 @creates("publisher", …)                 def create_publisher(…): …       a method that creates an entity, of a node class
 @node_method                             def create_timer(…): …           any other method by which a node is known
 @creator                                 class TransformListener: …       a call of it creates entities
+@plugin_class("rqt_gui.main._open")      class Plugin: …                  that function loads what derives from it
 raises_nothing(__name__)                                                  functions of this module raise nothing
 asks_all(__name__)                                                        of this package: what it calls of a program, stubs `ask` for
 before_sources(__name__)                                                  of this package: its model goes before its own sources
@@ -25,7 +26,7 @@ from rosward.source import disk, limits
 from rosward.source.text import read_bytes
 
 _MOST_FILES: Final = 10_000
-_DECORATORS: Final = ("node_class", "node_method", "creates", "creator")
+_DECORATORS: Final = ("node_class", "node_method", "creates", "creator", "plugin_class")
 _STATEMENTS: Final = ("raises_nothing", "asks_all", "before_sources", "precise", "exact_calls")
 _WORDS: Final = tuple(word.encode() for word in (*_DECORATORS, *_STATEMENTS))
 
@@ -51,6 +52,8 @@ class LibraryFacts(NamedTuple):
     """Top-level packages whose stubs say which methods of a program's classes the library calls."""
     before_sources: frozenset[str] = frozenset()
     """Top-level packages whose models go before sources of that name."""
+    plugin_classes: tuple[tuple[str, str], ...] = ()
+    """Dotted names of classes, each with that of the function of a model that loads what derives from it, where the program does not."""
 
     def creators_of(self, packages: Iterable[str]) -> frozenset[str]:
         """The names of what creates entities when it is called, in a module that imports these top-level packages."""
@@ -69,6 +72,7 @@ class LibraryFacts(NamedTuple):
             self.raising_nothing | other.raising_nothing,
             self.asking | other.asking,
             self.before_sources | other.before_sources,
+            tuple(dict.fromkeys((*self.plugin_classes, *other.plugin_classes))),
         )
 
 
@@ -138,7 +142,15 @@ def _of_class(node: ast.ClassDef, module: str, top: frozenset[str]) -> LibraryFa
         node_methods=known_by,
         creating=creating,
         creators=frozenset((node.name, package) for package in top if called),
+        plugin_classes=tuple((f"{module}.{node.name}", loader) for loader in _loaders(node)),
     )
+
+
+def _loaders(node: ast.ClassDef) -> Iterator[str]:
+    """The functions that load what derives from a class."""
+    for mark in node.decorator_list:
+        if isinstance(mark, ast.Call) and ast.unparse(mark.func) == "plugin_class":
+            yield from (a.value for a in mark.args if isinstance(a, ast.Constant) and isinstance(a.value, str))
 
 
 def _marks(node: ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef) -> set[str]:

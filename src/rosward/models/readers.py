@@ -25,6 +25,7 @@ _READ: Final = _WINDOWS | {
     "keras", "torch", "torchvision", "onnxruntime", "mathutils", "transforms3d", "open3d", "sympy", "requests", "urllib",
     "http", "struct", "random", "statistics", "hashlib", "base64", "binascii", "uuid", "secrets", "locale", "textwrap",
     "unicodedata", "zlib", "gzip", "shutil", "tempfile", "pprint", "termcolor", "colorama",
+    "simplejson", "ujson", "orjson", "msgpack", "bson",
 }  # fmt: skip
 """Libraries whose functions and objects only read what they are given, as they are documented."""
 
@@ -35,6 +36,7 @@ _WRITE: Final = frozenset(
 
 _FOREIGN: Final = _READ | {
     "can", "serial", "smbus", "smbus2", "RPi", "selectors", "selectors2", "asyncio", "threading", "socket", "ros2node",
+    "ros2topic", "ros2service", "ros2action",
 }  # fmt: skip
 """Libraries that create nothing on a node that they get hold of: they know nothing of ROS, or only ask the graph."""
 
@@ -74,5 +76,5 @@ def _dotted(callee: Value) -> list[str]:
             return [subject]
         if cause is Cause.MODULE:
             modules, _, name = subject.rpartition(": ")
-            return [f"{module}.{name}" for module in modules.split(" or ")]
+            return [f"{module}.{name}" for module in modules.split(" or ")] if modules else [name]
     return [""]

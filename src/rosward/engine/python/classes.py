@@ -12,13 +12,14 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.escape import BY_BASE, name_of
+from rosward.engine.escape import BY_BASE, BY_WINDOW, name_of
 from rosward.engine.frame import Frame
 from rosward.engine.python import abstract, attributes, contents, hidden_fields, members, metaclasses, subclass_hooks
 from rosward.engine.python.own_methods import own_methods
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
 from rosward.models.python.exceptions import builtin_base, own_class
+from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -295,7 +296,7 @@ def _initialise(machine: Engine, cls: Class, ref: Ref, args: tuple[Value, ...], 
                 start = members.bind(machine, found, ref, cls) if found.__class__ is Ref else BoundMethod(ref, found)
                 return machine.call(start, args, keywords)
         elif base.__class__ in (External, Unknown):
-            machine.escape((*args, *keywords.values()), name_of(base))
+            machine.escape((*args, *keywords.values()), name_of(base), base)
             hidden_fields.give(machine, cls, ref, args, keywords)
             return ref
         else:
@@ -313,9 +314,10 @@ def _framework(machine: Engine, cls: Class, ref: Ref) -> None:
     if not outside:
         return
     machine.trace.handed.setdefault(ref, machine.place)
+    event = BY_WINDOW if all(creates_nothing(b) for b in outside) else BY_BASE
     for name, method in own_methods(machine, cls, ref):
         if not name.startswith("__"):
-            machine.schedule(method, None, BY_BASE)
+            machine.schedule(method, None, event)
 
 
 def exception_object(

@@ -259,6 +259,17 @@ def _folder(cause: Cause) -> NativeFunction:
     return of
 
 
+def _is_package(call: NativeCall) -> Value:
+    """Whether a package is among the sources; None where its name is not known."""
+
+    def one(name: Value) -> Value:
+        if not isinstance(name, Const):
+            return NONE
+        return Const(call.machine.files.is_file(text_of(name) or "", "package.xml"))
+
+    return lift(one, call.args[0])
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.launch.keep": _keep,
     "_rosward.launch.perform": _perform,
@@ -272,4 +283,5 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.launch.set_variable": _set_variable,
     "_rosward.launch.share_folder": _folder(Cause.SHARE),
     "_rosward.launch.prefix_folder": _folder(Cause.PREFIX),
+    "_rosward.launch.is_package": _is_package,
 }

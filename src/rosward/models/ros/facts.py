@@ -27,6 +27,16 @@ OWN: Final = LibraryFacts(
             ("TransformBroadcaster", "tf2_ros"),
             ("TransformListener", "tf2_ros"),
             ("Updater", "diagnostic_updater"),
+            ("call_change_states", "ros2lifecycle"),
+            ("call_describe_parameters", "ros2param"),
+            ("call_get_available_transitions", "ros2lifecycle"),
+            ("call_get_parameters", "ros2param"),
+            ("call_get_states", "ros2lifecycle"),
+            ("call_get_transition_graph", "ros2lifecycle"),
+            ("call_list_parameters", "ros2param"),
+            ("call_set_parameters", "ros2param"),
+            ("load_parameter_dict", "ros2param"),
+            ("load_parameter_file", "ros2param"),
             ("wait_for_message", "rclpy"),
         }
     ),
@@ -51,4 +61,5 @@ OWN: Final = LibraryFacts(
     ),
     asking=frozenset({"rclpy"}),
     before_sources=frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "nav2_common", "rclpy"}),
+    plugin_classes=(("qt_gui.plugin.Plugin", "rqt_gui.main._open"),),
 )

@@ -56,8 +56,8 @@ def _for_the_reader(call: NativeCall) -> Value:
     return call.args[0] if call.args else NONE
 
 
-def _of_flow(call: NativeCall) -> Value:
-    """A mark with words, which `models.marked_stubs` reads: it changes nothing of what it stands on."""
+def _with_words(call: NativeCall) -> Value:
+    """A mark with words, which `models.marked_stubs` or `models.facts` reads: it changes nothing of what it stands on."""
     given = call.args[0] if call.args else NONE
     return given if isinstance(given, Function) else Partial(Native("_rosward.reads_only"), (), ())
 
@@ -145,7 +145,11 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.changes": _changes,
     "_rosward.raises_nothing": _raises_nothing,
     **dict.fromkeys(
-        ("_rosward.sink", "_rosward.source", "_rosward.stops", "_rosward.releases", "_rosward.hands"), _of_flow
+        (
+            *("_rosward.sink", "_rosward.source", "_rosward.stops", "_rosward.releases", "_rosward.hands"),
+            "_rosward.plugin_class",
+        ),
+        _with_words,
     ),
     **dict.fromkeys(
         (

@@ -10,6 +10,9 @@ from collections import ChainMap as ChainMap
 
 TYPE_CHECKING = False
 
+@native
+def _form_of(tp): ...
+
 class _Form:
     """Anything that is only subscripted, called or combined."""
     def __class_getitem__(cls, item):
@@ -31,6 +34,26 @@ class _Annotated(_Form):
 class _MakesAnnotated(_Form):
     def __getitem__(self, item):
         return _Annotated(item)
+class _Alternatives(_Form):
+    """`Literal[…]`, `Union[…]` or `Optional[…]`, with what is in the brackets."""
+    def __init__(self, origin, args):
+        self.__origin__ = origin
+        self.__args__ = args
+class _MakesLiteral(_Form):
+    def __getitem__(self, item):
+        found = []
+        for each in item if isinstance(item, tuple) else (item,):
+            found += each.__args__ if _form_of(each) == '_Alternatives' else (each,)
+        return _Alternatives(self, tuple(found))
+class _MakesUnion(_Form):
+    def __getitem__(self, item):
+        found = []
+        for each in item if isinstance(item, tuple) else (item,):
+            found += each.__args__ if _form_of(each) == '_Alternatives' else (type(None) if each is None else each,)
+        return _Alternatives(self, tuple(found)) if len(found) > 1 else found[0]
+class _MakesOptional(_Form):
+    def __getitem__(self, item):
+        return Union[item, None]
 
 class Generic:
     def __class_getitem__(cls, item):
@@ -79,15 +102,29 @@ def reveal_type(obj, /):
 @reads_only
 def assert_never(arg, /): ...
 @native
-def _hints(obj): ...
+def _hints(obj, extras): ...
 @reads_only
-def _extra_hints(obj) -> dict: ...
+def _other_hints(obj) -> dict: ...
 def get_type_hints(obj, globalns=None, localns=None, include_extras=False):
-    return _extra_hints(obj) if include_extras or globalns or localns else _hints(obj)
+    return _other_hints(obj) if globalns or localns else _hints(obj, include_extras)
 @reads_only
-def get_origin(tp): ...
+def _origin(tp): ...
+def get_origin(tp):
+    form = _form_of(tp)
+    if form == '_Annotated':
+        return Annotated
+    if form == '_Alternatives':
+        return tp.__origin__
+    return None if form == 'bare' else _origin(tp)
 @reads_only
-def get_args(tp): ...
+def _args(tp): ...
+def get_args(tp):
+    form = _form_of(tp)
+    if form == '_Annotated':
+        return (tp.__origin__, *tp.__metadata__)
+    if form == '_Alternatives':
+        return tp.__args__
+    return () if form == 'bare' else _args(tp)
 def dataclass_transform(*, eq_default=True, order_default=False, kw_only_default=False, field_specifiers=(), **kwargs):
     def decorate(cls):
         return cls
@@ -101,8 +138,8 @@ Tuple = tuple
 Type = type
 Text = str
 Any = _Form()
-Optional = _Form()
-Union = _Form()
+Optional = _MakesOptional()
+Union = _MakesUnion()
 Callable = _Form()
 Iterable = _Form()
 Iterator = _Form()
@@ -116,7 +153,7 @@ AsyncIterator = _Form()
 AsyncIterable = _Form()
 Awaitable = _Form()
 Coroutine = _Form()
-Literal = _Form()
+Literal = _MakesLiteral()
 ClassVar = _Form()
 Final = _Form()
 Annotated = _MakesAnnotated()

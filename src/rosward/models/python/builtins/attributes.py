@@ -90,6 +90,8 @@ def _of_callable(machine: Machine, value: Value, name: str) -> bool | None:
 
 def of_python(name: str) -> object:
     """The builtin, or the method of one, that has a name (`builtins.len`, `object.__eq__`); None where Python has none."""
+    if name == "builtins.NoneType":  # `type(None)`, which `builtins` does not name
+        return type(None)
     found: object = builtins
     for part in name.removeprefix("builtins.").split("."):
         found = None if found is None else getattr(found, part, None)

@@ -31,6 +31,7 @@ from rosward.models.python.containers.list_alternatives import elements_apart, k
 from rosward.models.python.containers.lists import ITERATOR, VIEW, new_tuple
 from rosward.models.python.containers.sets import new_set
 from rosward.models.python.operators.compare import kind_of
+from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,
@@ -67,6 +68,8 @@ def _number(call: NativeCall) -> Value:
         return unknown_from(call.machine, name, name, *call.args, *call.keywords.values())
 
     def one(*values: Value) -> Value:
+        if isinstance(values[0], Ref):
+            values = (member_value(call.machine, values[0]) or values[0], *values[1:])
         known = evaluate(call.machine, name, _NUMBERS[name], values, name)
         if known is not None:
             return known

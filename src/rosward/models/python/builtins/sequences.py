@@ -20,6 +20,7 @@ from rosward.models.python.builtins.lazy import acts, lazily, shared, stepped
 from rosward.models.python.containers.lists import ITERATOR, order, write_series
 from rosward.models.python.containers.views import renewed
 from rosward.models.python.operators.compare import comparable
+from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,
@@ -46,7 +47,7 @@ def iterator(machine: Machine, items: Items | Series) -> Value:
 
 
 def _range(call: NativeCall) -> Value:
-    args = call.args
+    args = tuple(member_value(call.machine, a) or a for a in call.args)
     start, stop, step = (Const(0), args[0], Const(1)) if len(args) == 1 else (*args, Const(1))[:3]
     for end in (start, stop, step):
         if isinstance(end, Const) and not isinstance(end.value, int):

@@ -18,7 +18,8 @@ from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.contents import bare, plain_data
-from rosward.models.python.operators.compare import compares, equal, row_of
+from rosward.models.python.operators.compare import equal
+from rosward.models.python.operators.equal_objects import compares, member_value, row_of
 from rosward.models.python.plain import Raised, all_of, key_shown, native, origins, unknown_from, with_origins
 from rosward.models.ros.interfaces import is_of_interfaces, public_name
 from rosward.records import NamedTuple
@@ -47,10 +48,21 @@ def _bare(value: Value) -> Value:
     return value if key is None else key
 
 
-def find(obj: Obj, key: Value) -> Value | None:
-    """The key in a dict that equals a known key (1 is also 1.0 and True)."""
+def find(machine: Machine, obj: Obj, key: Value) -> Value | None:
+    """The key in a dict that equals a known key (1 is also 1.0 and True, and the member of an `IntEnum` that has this number)."""
     if key in obj.entries:
         return key
+    number = member_value(machine, key)
+    if number is not None:
+        return find(machine, obj, number)
+    if isinstance(key, Const):
+        for other in obj.entries:
+            if (
+                isinstance(other, Ref)
+                and (held := member_value(machine, other)) is not None
+                and held.value == key.value
+            ):
+                return other
     if isinstance(key, Const) and isinstance(key.value, (bool, int, float)):
         return next(
             (k for k in obj.entries if isinstance(k, Const) and not isinstance(k.value, str) and k.value == key.value),
@@ -77,7 +89,7 @@ def look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
 
 def _look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
     key = key_of(index)
-    present = find(obj, key) if key is not None else None
+    present = find(machine, obj, key) if key is not None else None
     if present is not None and present not in obj.maybe:
         return LookUp(obj.entries[present], False)
     candidates = [present] if present is not None else []
@@ -121,7 +133,7 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
             obj = _store_unknown(machine, obj, key, value)
         else:
             is_many = isinstance(key, Ref) and machine.obj(key).many
-            obj = _store_known(obj, find(obj, key) or key, value, several or is_many)
+            obj = _store_known(obj, find(machine, obj, key) or key, value, several or is_many)
             if isinstance(obj.payload, Ref) and isinstance(key, Const) and isinstance(key.value, str):
                 machine.keep_attr(
                     obj.payload, key.value, value, weak=several or is_many
@@ -165,7 +177,7 @@ def take(machine: Machine, ref: Ref, index: Value) -> LookUp:
     obj = machine.obj(ref)
     found = look_up(machine, obj, index)
     key = key_of(index)
-    present = find(obj, key) if key is not None else None
+    present = find(machine, obj, key) if key is not None else None
     if present is not None:
         entries = {k: v for k, v in obj.entries.items() if k != present}
         _gone(machine, obj, present)

@@ -15,7 +15,7 @@ from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.dicts import key_of
 from rosward.models.python.containers.lists import add_to_rest, element, write
-from rosward.models.python.operators.compare import compares, row_of
+from rosward.models.python.operators.equal_objects import compares, member_value, row_of
 from rosward.models.python.plain import Raised, key_shown, listed, native, unknown_from
 
 FROZEN: Final = Native("builtins.frozenset")
@@ -41,7 +41,13 @@ def distinct(machine: Machine, items: Items) -> Items:
 
 
 def _key(machine: Machine, item: Value) -> Value | None:
-    """The key of an element, one for all that Python takes for equal: 1, True and 1.0, in tuples, too. None where its class says what is equal."""
+    """The key of an element, one for all that Python takes for equal: 1, True, 1.0, in tuples, too, and a member that is 1.
+
+    None where its class says what is equal.
+    """
+    held = member_value(machine, item)
+    if held is not None:
+        return _as_integer(Const(held.value))
     row = row_of(machine, item) if isinstance(item, Ref) else None
     key = None if compares(machine, item) else key_of(item if row is None else row)
     return None if key is None else _as_integer(key)

@@ -22,6 +22,7 @@ from rosward.domain.unknown import Origins
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN
 from rosward.models.native import Machine
+from rosward.models.python.operators.equal_objects import has_equality, member_value, row_of
 from rosward.models.python.plain import (
     LOOSE_HINTS,
     NOT_PLAIN,
@@ -128,6 +129,9 @@ def _in_turn(machine: Machine, op: str, left: tuple[Value, ...], right: tuple[Va
 def comparable(machine: Machine, value: Value, depth: int = MAX_DEPTH) -> object:
     """The Python object that a value surely is, lists included, to be compared; else NOT_PLAIN."""
     if isinstance(value, Ref):
+        held = member_value(machine, value)
+        if held is not None:
+            return held.value
         obj = machine.obj(value)
         if obj.kind != "list" or obj.items is None or not depth:
             return NOT_PLAIN
@@ -246,6 +250,9 @@ def _sequences(machine: Machine, left: tuple[Value, ...], right: tuple[Value, ..
 
 def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | None:
     """At least one object on the heap; the special methods of instances were tried before."""
+    members = [member_value(machine, v) for v in (left, right)]
+    if members != [None, None] and left != right:
+        return equal(machine, members[0] or left, members[1] or right, depth)
     kinds = (kind_of(machine, left), kind_of(machine, right))
     if "instance" in kinds or "generator" in kinds or "" in kinds:
         rows = (row_of(machine, left), row_of(machine, right)) if "instance" in kinds else (None, None)
@@ -270,20 +277,6 @@ def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | 
     if kinds[0] == "set" and a.items is not None and b.items is not None:
         return _same_constants(a.items, b.items) if all(isinstance(k, Const) for k in (*a.items, *b.items)) else None
     return None
-
-
-def row_of(machine: Machine, value: Value) -> Tuple | None:
-    """A tuple, or what a named tuple holds where it is one object of a class without an `__eq__` of its own."""
-    if not isinstance(value, Ref):
-        return value if isinstance(value, Tuple) else None
-    obj = machine.obj(value)
-    is_row = isinstance(obj.cls, Class) and any(isinstance(b, Class) and b.name == "_NamedTuple" for b in obj.cls.mro)
-    if not is_row or obj.many or obj.partial or _has_equality(machine, obj.cls):
-        return None
-    fields = machine.load_attr(obj.cls, "_fields")
-    names = [str(n.value) for n in fields.items if isinstance(n, Const)] if isinstance(fields, Tuple) else []
-    held = [obj.attrs[n] for n in names if n in obj.attrs]
-    return Tuple(tuple(held)) if names and len(held) == len(names) else None
 
 
 def _series(machine: Machine, left: Series, right: Series, depth: int) -> bool | None:
@@ -312,24 +305,13 @@ def _instances(machine: Machine, left: Value, right: Value) -> bool | None:
         return None if isinstance(left, Ref) and machine.obj(left).many else True
     classes = [machine.obj(v).cls for v in (left, right) if isinstance(v, Ref) and machine.obj(v).kind == "instance"]
     plain_objects = all(
-        isinstance(c, Class) and all(isinstance(b, Class) for b in c.mro) and not _has_equality(machine, c)
+        isinstance(c, Class) and all(isinstance(b, Class) for b in c.mro) and not has_equality(machine, c)
         for c in classes
     )
     return (
         False
         if classes and plain_objects and not isinstance(left, External) and not isinstance(right, External)
         else None
-    )
-
-
-def compares(machine: Machine, value: Value) -> bool:
-    """Whether the program says by `__eq__` to what an object is equal."""
-    return isinstance(value, Ref) and _has_equality(machine, machine.obj(value).cls)
-
-
-def _has_equality(machine: Machine, cls: Value) -> bool:
-    return isinstance(cls, Class) and any(
-        isinstance(b, Class) and not b.stub and "__eq__" in machine.obj(Ref(b.address)).attrs for b in cls.mro
     )
 
 

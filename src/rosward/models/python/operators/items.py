@@ -19,6 +19,7 @@ from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.lists import add_to_rest, write, write_series
 from rosward.models.python.operators.compare import kind_of
+from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     Fresh,
     Raised,
@@ -42,7 +43,11 @@ def load_item(machine: Machine, value: Value, index: Value) -> Value:
     """value[index]."""
     if isinstance(index, Slice):
         return spread_fresh(
-            machine, "slice", lambda v, a, b, c: _slice(machine, v, Slice(a, b, c)), value, *index.fields()
+            machine,
+            "slice",
+            lambda v, *ends: _slice(machine, v, Slice(*(member_value(machine, end) or end for end in ends))),
+            value,
+            *index.fields(),
         )
 
     def one(v: Value, i: Value) -> Value | Fresh:
@@ -52,6 +57,8 @@ def load_item(machine: Machine, value: Value, index: Value) -> Value:
 
 
 def _load(machine: Machine, value: Value, index: Value) -> Value:
+    if not (isinstance(value, Ref) and machine.obj(value).kind == "dict"):
+        index = member_value(machine, index) or index
     if isinstance(value, Const):
         if isinstance(index, Const):
             return from_python(machine, run(operator.getitem, value.value, index.value), origins(value, index), "[]")
@@ -194,7 +201,7 @@ def _store_element(machine: Machine, ref: Ref, index: Value, value: Value, weak:
     if isinstance(index, Slice):
         _store_slice(machine, ref, index, value, weak)
         return
-    number, series = int_of(index), machine.obj(ref).series()
+    number, series = int_of(member_value(machine, index) or index), machine.obj(ref).series()
     if number is not None and not series.exact:
         write_series(
             machine, ref, joined(series, series.with_at(number, value), join) if weak else series.with_at(number, value)

@@ -19,6 +19,7 @@ from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleV
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.records import annotations_of
 from rosward.models.python.std.support import class_obj
+from rosward.models.ros.interfaces import is_known_interface
 
 WRITTEN_IN: Final = "_rosward_module"
 """Where a class with annotations keeps the module in which it is written."""
@@ -27,6 +28,10 @@ _BUILTINS: Final = frozenset(
 )
 
 
+_WITHOUT_BRACKETS: Final = frozenset(
+    f"builtins.{name}" for name in ("int", "str", "float", "bool", "bytes", "object", "complex", "NoneType")
+)
+_FORMS: Final = ("Literal", "Union", "Optional")
 _MOST_WRAPPED: Final = 20
 """How many decorators around a function are looked through."""
 
@@ -99,26 +104,41 @@ def _evaluated(machine: Machine, module: ModuleValue, tree: ast.expr) -> Value:
     return found[0] if len(found) == 1 else _unknown(machine)
 
 
-def _meant(machine: Machine, module: ModuleValue, text: str, *, hints: bool, read: bool = False) -> Value:
-    """What an annotation is when the program runs; what `get_type_hints` makes of it. `read` says that texts are evaluated."""
+def _meant(
+    machine: Machine, module: ModuleValue, text: str, *, hints: bool, read: bool = False, extras: bool = False
+) -> Value:
+    """What an annotation is when the program runs; what `get_type_hints` makes of it, with `extras`. `read` says that texts are evaluated."""
     if not hints and not read and _is_text(machine, module):
         return Const(text)
     if not hints and not read and text[:1] in "'\"":  # a text is evaluated for `get_type_hints` alone
         return Const(text.strip("'\""))
     tree = parsed(text)
-    if hints and _is_annotated(tree):
+    if hints and not extras and _is_annotated(tree):
         tree = tree.slice.elts[0] if isinstance(tree.slice, ast.Tuple) and tree.slice.elts else tree
     if not hints and isinstance(tree, ast.Constant) and tree.value is None:
         return NONE
-    if not hints and _is_annotated(tree) and isinstance(tree.slice, ast.Tuple):
+    if (not hints or extras) and _is_annotated(tree) and isinstance(tree.slice, ast.Tuple):
         kind = parsed(ast.unparse(tree.slice.elts[0]))  # a text names a type that comes later
         items = Tuple(tuple(_evaluated(machine, module, part) for part in (kind, *tree.slice.elts[1:])))
-        return machine.call(
-            machine.load_attr(machine.load_attr(machine.load_module("typing"), "Annotated"), "__getitem__"), (items,)
+        return _form(machine, "Annotated", items)
+    if isinstance(tree, ast.Subscript) and (form := ast.unparse(tree.value).rpartition(".")[2]) in _FORMS:
+        inner = tree.slice.elts if isinstance(tree.slice, ast.Tuple) else [tree.slice]
+        parts = tuple(
+            _evaluated(machine, module, part if form == "Literal" else parsed(ast.unparse(part))) for part in inner
         )
+        return _form(machine, form, parts[0] if len(parts) == 1 else Tuple(parts))
     plain = isinstance(tree, (ast.Name, ast.Attribute)) or (isinstance(tree, ast.Constant) and tree.value is None)
-    found = [unwrapped(machine, f) if hints else f for f in named(machine, module, tree)] if plain else []
+    found = (
+        [unwrapped(machine, f) if hints and not extras else f for f in named(machine, module, tree)] if plain else []
+    )
     return found[0] if len(found) == 1 else _unknown(machine)
+
+
+def _form(machine: Machine, name: str, item: Value) -> Value:
+    """`Annotated[…]` and the like, as `typing` makes it."""
+    return machine.call(
+        machine.load_attr(machine.load_attr(machine.load_module("typing"), name), "__getitem__"), (item,)
+    )
 
 
 def _is_text(machine: Machine, module: ModuleValue) -> bool:
@@ -128,16 +148,16 @@ def _is_text(machine: Machine, module: ModuleValue) -> bool:
 
 
 def of_function(
-    machine: Machine, function: Function, *, hints: bool = False, read: bool = False
+    machine: Machine, function: Function, *, hints: bool = False, read: bool = False, extras: bool = False
 ) -> Mapping[str, Value]:
     """The annotations of a function."""
     texts = dict(function.code.annotations)
     if function.code.returns is not None:
         texts["return"] = function.code.returns
-    return {name: _meant(machine, function.module, text, hints=hints, read=read) for name, text in texts.items()}
+    return {n: _meant(machine, function.module, t, hints=hints, read=read, extras=extras) for n, t in texts.items()}
 
 
-def of_class(machine: Machine, cls: Class, *, hints: bool = False) -> Mapping[str, Value] | None:
+def of_class(machine: Machine, cls: Class, *, hints: bool = False, extras: bool = False) -> Mapping[str, Value] | None:
     """The annotations in the body of a class; None where the program set others."""
     attrs = machine.obj(class_obj(cls)).attrs
     module, table = attrs.get(WRITTEN_IN), attrs.get("__annotations__")
@@ -146,24 +166,41 @@ def of_class(machine: Machine, cls: Class, *, hints: bool = False) -> Mapping[st
     texts = annotations_of(machine, cls)
     if not isinstance(module, ModuleValue) or not all(texts.values()):
         return None
-    return {n: _meant(machine, module, text, hints=hints) for n, text in texts.items()}
+    return {n: _meant(machine, module, text, hints=hints, extras=extras) for n, text in texts.items()}
 
 
 def _hints(call: NativeCall) -> Value:
-    """typing._hints(function or class): its annotations, those of base classes among them."""
-    machine, value = call.machine, _function(call.args[0])
+    """typing._hints(function or class, extras): its annotations, those of base classes among them."""
+    machine, value, extras = call.machine, _function(call.args[0]), call.machine.truth(call.args[1])
+    if extras is None:
+        return machine.unknown(Cause.CALL, "typing.get_type_hints", "dict")
     found: dict[str, Value] = {}
     if isinstance(value, Function):
-        found.update(of_function(machine, value, hints=True))
+        found.update(of_function(machine, value, hints=True, extras=extras))
     elif isinstance(value, Class):
         for base in reversed(value.mro):
-            own = of_class(machine, base, hints=True) if isinstance(base, Class) and not base.stub else {}
+            own = (
+                of_class(machine, base, hints=True, extras=extras) if isinstance(base, Class) and not base.stub else {}
+            )
             if own is None or not isinstance(base, (Class, Native)):
                 return machine.unknown(Cause.CALL, "typing.get_type_hints", "dict")
             found.update(own)
     else:
         return machine.unknown(Cause.CALL, "typing.get_type_hints", "dict")
     return machine.new_dict({Const(name): meant for name, meant in found.items()})
+
+
+def _form_of(call: NativeCall) -> Value:
+    """typing._form_of(type): the class of this model that keeps its brackets, 'bare' where it surely has none, else ''."""
+
+    def one(value: Value) -> Value:
+        cls = call.machine.obj(value).cls if isinstance(value, Ref) else None
+        if isinstance(cls, Class) and cls.stub and cls.module == "typing":
+            return Const(cls.name)
+        bare = (isinstance(value, Native) and value.name in _WITHOUT_BRACKETS) or isinstance(value, Const)
+        return Const("bare" if bare or is_known_interface(call.machine, value) else "")
+
+    return lift(one, call.args[0])
 
 
 def _function(value: Value) -> Value:
@@ -263,4 +300,5 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "inspect._filled": _filled,
     "inspect._instance": _instance,
     "typing._hints": _hints,
+    "typing._form_of": _form_of,
 }

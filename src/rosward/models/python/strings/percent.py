@@ -15,6 +15,7 @@ from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.values import UNBOUND, Const, Hole, Ref, Text, Unknown, Value
 from rosward.models.native import Machine
+from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,
@@ -128,6 +129,8 @@ def _convert(machine: Machine, value: Value, field: _Field) -> Value:
     spec = field.spec
     if spec is None or too_wide(spec):
         return unknown_from(machine, "%", "str", value)
+    if isinstance(value, Ref) and field.type not in ("s", "r"):
+        value = member_value(machine, value) or value
     if isinstance(value, Const):
         return from_python(machine, run(operator.mod, spec, (value.value,)), value.origins, "%")
     if field.type in ("s", "r"):

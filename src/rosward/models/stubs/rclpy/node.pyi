@@ -402,7 +402,9 @@ class Node:
     def remove_post_set_parameters_callback(self, callback) -> None: ...
     def describe_parameter(self, name):
         needs_parameter(self, name, "describe_parameter")
-        return message(ParameterDescriptor, "descriptor")
+        descriptor = message(ParameterDescriptor, "descriptor")
+        descriptor.name = name
+        return descriptor
 
     def describe_parameters(self, names):
         return [self.describe_parameter(name) for name in names]
