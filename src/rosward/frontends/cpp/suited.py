@@ -22,6 +22,7 @@ void (*table[])() = {f, g};              void (*table[])()   {f, g};
 Lamp & on(lamps[0].on);                  Lamp & on=lamps[0].on ;
 int (&row)[3] = rows[0];                 int  &row      = rows[0];
 using Ts::operator()...;                 using Ts::operator()   ;
+o.operator()(1), p->A::operator=(a)      o.operato$LR(1), p->A::operato$E(a)
 using std::sin, std::cos;                using std::sin;using  std::cos;
 template class Tree<Node>;               nothing: it runs nothing
 extern template int sum<int>(int);       the same
@@ -94,10 +95,20 @@ _MOST: Final = 1_000
 _USING_LIST: Final = re.compile(
     r"((?:^|[;{}:])[ \t]*)(using\s(?!\s*namespace\b)[^;={}()\"]*,[^;={}()\"]*)(?=;)", re.MULTILINE
 )
+_OPERATOR: Final = re.compile(
+    rf"{LITERAL}|"
+    r"((?:\.|->)\s*(?:template\s+)?(?:\w+(?:<[^;(){}]{0,200}>)?\s*::\s*){0,5})"
+    r"operator(\s*)(\(\s*\)|\[\s*\]|->\*?|[-+*/%^&|~!=<>]{1,3}|(?<=\s)(?:bool|int|double|float))(?=\s*\(|(?<=\))\s*<)"
+)
+"""An operator that is called by its name as a member."""
 _USING_PACK: Final = re.compile(r"(\busing\s+\w+\s*::\s*operator\s*\(\s*\)\s*)(\.\.\.)")
 
 THROW: Final = "~~~~~"
 """What stands for a `throw` that is an operand: an operator that nobody writes."""
+OPERATOR: Final = "operato$"
+"""What begins the name of a member that stands for an operator."""
+_SIGNS: Final = dict(zip("()[]-+*/%^&|~!=<>", "LRBKMPSDQCAOTNEUG", strict=True))
+_MEANT: Final = {letter: sign for sign, letter in _SIGNS.items()}
 MEMBER: Final = {".*": "%~", "->*": "%~~"}
 """What stands for the operators of pointers to members: they have the precedence of `%`, about, and what follows is an expression of any form."""
 
@@ -116,6 +127,8 @@ def suited(text: str) -> str:
         text = _THROW.sub(lambda found: found[1] + found[2] + THROW, text)
     if "new" in text:
         text = _NEW_POINTERS.sub(lambda found: found[1] + " " * len(found[2]), text)
+    if "operator" in text:
+        text = _OPERATOR.sub(_named_operator, text)
     if "..." in text:
         text = _USING_PACK.sub(r"\1   ", text)
     if "template" in text:
@@ -142,6 +155,20 @@ def suited(text: str) -> str:
     if "template" in text:
         text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_nothing, text))
     return text
+
+
+def operator_meant(name: str) -> str:
+    """`operator()` for the `operato$LR` that stands for it."""
+    signs = name[len(OPERATOR) :]
+    return f"operator {signs}" if signs.islower() else "operator" + "".join(_MEANT.get(each, "") for each in signs)
+
+
+def _named_operator(found: re.Match[str]) -> str:
+    if found[3] is None:
+        return found[0]
+    signs = "".join(found[3].split())
+    named = OPERATOR + (signs if signs.isalpha() else "".join(_SIGNS[each] for each in signs))
+    return found[1] + named + " " * (len(found[0]) - len(found[1]) - len(named))
 
 
 def _initialised(found: re.Match[str], variables: dict[str, bool]) -> str:
