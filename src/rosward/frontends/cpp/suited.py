@@ -117,18 +117,13 @@ def suited(text: str) -> str:
     """The text as the grammar likes it, each character where it was (but for lists of `using`)."""
     if "typename" in text:
         text = _TYPENAME.sub(_blank, text)
-    if "::*" in text:
-        text = _MEMBER_POINTER.sub(_plain_pointer, text)
-    if "->*" in text or ".*" in text:
-        text = _MEMBER_OPERATOR.sub(lambda found: MEMBER.get(found[0], found[0]), text)
+    text = _members(text)
     if "va_arg" in text:
         text = _VA_ARG.sub(lambda found: f"{found[1]}0{' ' * (len(found[2]) - 1)}", text)
     if "throw" in text:
         text = _THROW.sub(lambda found: found[1] + found[2] + THROW, text)
     if "new" in text:
         text = _NEW_POINTERS.sub(lambda found: found[1] + " " * len(found[2]), text)
-    if "operator" in text:
-        text = _OPERATOR.sub(_named_operator, text)
     if "..." in text:
         text = _USING_PACK.sub(r"\1   ", text)
     if "template" in text:
@@ -155,6 +150,15 @@ def suited(text: str) -> str:
     if "template" in text:
         text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_nothing, text))
     return text
+
+
+def _members(text: str) -> str:
+    """The text with pointers to members, and operators that are called by their names, as other names and operators."""
+    if "::*" in text:
+        text = _MEMBER_POINTER.sub(_plain_pointer, text)
+    if "->*" in text or ".*" in text:
+        text = _MEMBER_OPERATOR.sub(lambda found: MEMBER.get(found[0], found[0]), text)
+    return _OPERATOR.sub(_named_operator, text) if "operator" in text else text
 
 
 def operator_meant(name: str) -> str:

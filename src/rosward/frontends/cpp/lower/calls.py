@@ -156,7 +156,14 @@ def _scope(body: Body, node: Node, written: Written) -> int:
 
 
 def _assigned_by_name(
-    body: Body, node: Node, obj: int, scope: int, operator: str, listed: Node | None, want: Want, member: Node | None = None
+    body: Body,
+    node: Node,
+    obj: int,
+    scope: int,
+    operator: str,
+    listed: Node | None,
+    want: Want,
+    member: Node | None = None,
 ) -> int:
     """`o.operator=(a)` is `o = a`, and `Base::operator=(a)` is that of the part which is of the base."""
     given_ = [child for child in listed.named_children if child.type != "comment"] if listed is not None else []
