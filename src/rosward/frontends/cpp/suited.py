@@ -46,7 +46,7 @@ _SLOTS: Final = re.compile(r"(?:(?<=\bpublic)|(?<=\bprivate)|(?<=\bprotected))[ 
 _SIGNALS: Final = re.compile(r"^([ \t]*)signals(?=[ \t]*:[^:])", re.MULTILINE)
 _EMIT: Final = re.compile(r"(^|[;{}):])([ \t]*)emit(?=[ \t]+[A-Za-z_])", re.MULTILINE)
 _INSTANTIATION: Final = re.compile(
-    r"^[ \t]*(?:extern[ \t]+)?template(?=[ \t\n]+[A-Za-z_])[^;{}]{0,1000};", re.MULTILINE
+    r"(?:^|(?<=;))[ \t]*(?:extern[ \t]+)?template(?=[ \t\n]+[A-Za-z_])[^;{}]{0,1000};", re.MULTILINE
 )
 _NO_ARGUMENTS: Final = re.compile(r"(?:(?<=->)|(?<=::)|(?<=\w\.))[ \t]*\btemplate\b(?=[ \t]+\w+[ \t]*\()")
 
