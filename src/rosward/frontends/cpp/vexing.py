@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which declarations outside of functions read like those of functions, and are variables?
 
-    static const Key key(ids::NAV, ids::FIX);     where ids::NAV is a constant        ->  a variable that is made of two arguments
-    Key Message::key(kFirst);                     a static member of the class Message
-    Key made(ids::Number);                        where ids::Number is a type         ->  a function
+static const Key key(ids::NAV, ids::FIX);     where ids::NAV is a constant        ->  a variable that is made of two arguments
+Key Message::key(kFirst);                     a static member of the class Message
+Key made(ids::Number);                        where ids::Number is a type         ->  a function
 """
 
 from __future__ import annotations
