@@ -21,11 +21,12 @@ sub_{
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Final
 
 from rosward.frontends.cpp.macros import EITHER
-from rosward.frontends.cpp.tokens import tokens, trimmed
+from rosward.frontends.cpp.tokens import LITERAL, tokens, trimmed
 
 __all__ = ["merged"]
 
@@ -44,17 +45,17 @@ _MOST: Final = 2_000
 """So many tokens are compared."""
 
 
-def merged(branches: Sequence[str], *, complete: bool) -> str | None:
-    """One text that is each of the branches; with `complete`, one of them is taken. None where there is no such text."""
+def merged(branches: Sequence[str], before: str, *, complete: bool) -> str | None:
+    """One text that is each of the branches, behind what stands `before`; with `complete`, one of them is taken. None where there is none."""
     written = [trimmed(tokens(branch)) for branch in branches]
     if not all(written) or any(len(each) > _MOST for each in written):
         return None
     if len(written) == 1 and not complete:
         return _optional(written[0])
-    return _one_of(written) if len(written) > 1 and complete else None
+    return _one_of(written, before) if len(written) > 1 and complete else None
 
 
-def _one_of(written: Sequence[list[str]]) -> str | None:
+def _one_of(written: Sequence[list[str]], before: str) -> str | None:
     """The parts in which the branches differ, as whole expressions, between what they have in common."""
     first = written[0]
     least = min(map(len, written))
@@ -66,7 +67,7 @@ def _one_of(written: Sequence[list[str]]) -> str | None:
         start = _start(first, min(same, start - 1))
         found = _between(written, start, reach)
         if found is not None:
-            return found
+            return found if _is_within(f"{before} {''.join(first[:start])}") else None
     return None
 
 
@@ -82,6 +83,28 @@ def _between(written: Sequence[list[str]], start: int, reach: Sequence[int]) -> 
         return None
     either = ", ".join("".join(part) for part in parts)
     return f"{''.join(first[:start])}{EITHER}({either}){''.join(first[ends[0] :])}"
+
+
+def _is_within(before: str) -> bool:
+    """Whether what begins behind a text is an expression: no member that is initialised, no enumerator, and nothing that is declared."""
+    text = _LITERAL.sub('""', before).rstrip()
+    if text.endswith(_LEADING) or _RETURN.search(text):
+        return True
+    depth = 0
+    for at in range(len(text) - 1, -1, -1):
+        depth += (text[at] in ")]}") - (text[at] in "([{")
+        if depth < 0:
+            around = re.split(r"[;{}]", text[:at])[-1].rstrip()
+            return text[at] != "{" or (bool(_BRACED.search(around)) and not _BLOCK.search(around))
+    return False
+
+
+_LITERAL: Final = re.compile(LITERAL)
+_LEADING: Final = ("=", "?", "&&", "||", "<<", "+", "-", "*", "/", "(", "[")
+_RETURN: Final = re.compile(r"\breturn$")
+_BRACED: Final = re.compile(r"[\w>=,(]$")
+"""What stands before braces that hold values."""
+_BLOCK: Final = re.compile(r"\b(?:enum|class|struct|union|namespace|extern|else|do|try)\b")
 
 
 def _start(written: Sequence[str], same: int) -> int:

@@ -305,7 +305,8 @@ class Reading:
         lines, found = self._source.lines, self._source.found
         if any(number in found for first, behind in branches for number in range(first, behind)):
             return False
-        text = merged(["\n".join(lines[first:behind]) for first, behind in branches], complete=complete)
+        before = "\n".join(self._out[-200:])
+        text = merged(["\n".join(lines[first:behind]) for first, behind in branches], before, complete=complete)
         if text is None:
             return False
         self._out.append("")

@@ -20,6 +20,7 @@ from rosward.frontends.cpp.lower.types import REFERENCES, TYPES, has, type_of
 from rosward.frontends.cpp.macros import EITHER
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp import Argued, Assign, Convert, Invoke, InvokeMember, Read, TypeOfValue
+from rosward.ir.op import Block
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -170,7 +171,8 @@ def _assigned_by_name(
     if len(given_) != 1:
         return body.unknown(node, "syntax")
     place, slot = body.place(node), obj
-    seen, static = ([], NO_REGISTER)
+    seen: Block = []
+    static = NO_REGISTER
     if scope != NO_REGISTER:
         slot = body.register()
         body.emit(Convert(*place, slot, obj, scope, "static"))
