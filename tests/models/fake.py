@@ -156,7 +156,7 @@ class FakeMachine(FakeProcess):
     def spin(self, *, serving: bool = False) -> None:
         raise AssertionError(serving)
 
-    def waits(self, *, suspended: bool = False) -> None:
+    def waits(self, *, suspended: bool = False, others: bool = False) -> None:
         """No thread spins beside it."""
 
     def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:  # noqa: ARG002

@@ -7,10 +7,14 @@ helpers.py                              nothing starts the classes of a library
 
 from __future__ import annotations
 
+from typing import Final
+
 from rosward.analysis.read import SourcesRead
 from rosward.findings import Finding
 from rosward.source.location import Place
 from rosward.source.ros_1 import is_for_ros_1
+
+_CLIENTS: Final = frozenset({"rclcpp", "rclcpp_lifecycle", "rclcpp_components"})
 
 
 def nothing_found(read: SourcesRead) -> Finding:
@@ -36,7 +40,7 @@ def _why(read: SourcesRead) -> str:
             else f"{programs} programs were analysed, which create none"
         )
         return f"{analysed}. If this is part of a larger system, pass the whole workspace."
-    if read.plan.related or read.plan.entries:
+    if read.plan.related or read.plan.entries or any(not package.depends.isdisjoint(_CLIENTS) for package in packages):
         return (
             "files use ROS 2, but nothing starts them: no executable is installed, and no file has a main function."
             " If this is a library, pass the workspace with the programs that use it."

@@ -18,6 +18,10 @@ class _Typed(int):
 
     named: str
 
+    def of(self: T, number: int) -> T:
+        """Another number of the same type."""
+        return self.__class__(number, self.named)
+
     def __eq__(self, other: object) -> bool:
         if isinstance(other, _Typed):
             return self.__class__ is other.__class__ and self.named == other.named and int(self) == int(other)

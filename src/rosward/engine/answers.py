@@ -225,9 +225,9 @@ class Answers:
         """Everything scheduled may run here."""
         schedule.spin(self, serving=serving)
 
-    def waits(self: Engine, *, suspended: bool = False) -> None:
-        """The program waits here for something that takes time."""
-        schedule.waits(self, suspended=suspended)
+    def waits(self: Engine, *, suspended: bool = False, others: bool = False) -> None:
+        """The program waits here for something that takes time; `others`: or for one of those that run beside it."""
+        schedule.waits(self, suspended=suspended, others=others)
 
     def variables(self: Engine, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives here."""

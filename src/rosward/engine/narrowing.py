@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Descriptor, Tuple
+from rosward.domain.enumerated import Enumerated, Whole
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import COMPARED, Cause, Origin, Reason
 from rosward.domain.values import Const, Function, Ref, Unknown, Value
@@ -97,7 +98,8 @@ def _given(machine: Engine, value: Value, sense: bool) -> Value:
     """What somebody gives in place of a default, so that it is true, or false. An empty text is one of the names that they may give."""
     content = value.value if isinstance(value, Const) else None
     if sense is False and isinstance(content, (bool, int, float)):
-        return Const(content.__class__(), origins_of(value))
+        zero = content.of(0) if isinstance(content, (Enumerated, Whole)) else content.__class__()
+        return Const(zero, origins_of(value))
     if content is False:
         return Const(True, origins_of(value))
     return _another(machine, value)

@@ -178,8 +178,11 @@ def _reached(machine: Engine) -> tuple[int, int, bool]:
     return len(book.entries), machine.state.version, book.parallel
 
 
-def waits(machine: Engine, *, suspended: bool = False) -> None:
-    """The main body waits: what a thread spins beside it may run meanwhile. Of a callback, what runs beside it; if `suspended`, any."""
+def waits(machine: Engine, *, suspended: bool = False, others: bool = False) -> None:
+    """The main body waits: what a thread spins beside it may run meanwhile; for `others`, where anything runs beside it.
+
+    Of a callback, what runs beside it; if `suspended`, any.
+    """
     book = machine.schedule_book
     if book.running:
         if suspended or book.parallel:
@@ -188,7 +191,7 @@ def waits(machine: Engine, *, suspended: bool = False) -> None:
             _interrupted(machine)
         return
     machine.summaries.asked += 1  # it depends on which threads there are
-    if book.beside:
+    if book.beside or (others and book.parallel):
         spin(machine, beside=True)
 
 

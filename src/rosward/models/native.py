@@ -211,8 +211,11 @@ class Machine(Execution, Protocol):
     def spin(self, *, serving: bool = False) -> None:
         """Everything that is scheduled may run here, in any order, any number of times; `serving`: because the client library spins."""
 
-    def waits(self, *, suspended: bool = False) -> None:
-        """The program waits here: if one of its threads spins, everything that is scheduled may run. `suspended`: as a coroutine does."""
+    def waits(self, *, suspended: bool = False, others: bool = False) -> None:
+        """The program waits here: if one of its threads spins, everything that is scheduled may run. `suspended`: as a coroutine does.
+
+        `others`: so it may if there is any thread, or a library that calls what it was given.
+        """
 
     def variables(self, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives where the call stands: a dict."""

@@ -122,10 +122,58 @@ def test_a_macro_of_a_library_from_elsewhere_is_not_known() -> None:
     assert [(c.branch, c.complete) for c in result.choices] == [(0, False)]
 
 
-def test_a_condition_that_cuts_a_statement_is_told() -> None:
-    result = prepared("int x =\n#ifdef NDEBUG\n1\n#else\n2\n#endif\n;")
-    assert lines(result.text) == ["int x =", "1", ";"]
+@pytest.mark.parametrize(
+    ("before", "one", "other", "behind"),
+    [
+        ("enum class Side {LEFT,", "RIGHT,", "UP,", "DOWN};"),
+        ("A::A(int i) : a_(1),", "b_(i),", "c_(i),", "d_(2) {}"),
+        ("int x = 1,", "y = 2,", "z = 2,", "w = 3;"),
+        ("f(", "a, b", "c", ");"),
+        ("x =", "y +", "z -", "1;"),
+        ("try {f();}", "catch (const A & e) {", "catch (const B & e) {", "g(); }"),
+        ("class A : public", "B", "C", "{};"),
+        ("auto f =", "[](const A & a) {", "[](const B & a) {", "return 1; };"),
+        ("h(", "g(a", "g(b, c", "));"),
+    ],
+)
+def test_a_condition_that_cuts_a_statement_is_told(before: str, one: str, other: str, behind: str) -> None:
+    result = prepared(f"{before}\n#ifdef NDEBUG\n{one}\n#else\n{other}\n#endif\n{behind}")
+    assert lines(result.text) == [before, one, behind]
     assert [(f.code, f.place.line) for f in result.findings] == [("RW206", 2)]
+
+
+@pytest.mark.parametrize(
+    ("before", "one", "other", "behind", "expected"),
+    [
+        ("int x =", "1", "2", ";", f"{EITHER}(1, 2)"),
+        ("", "if (a || b) {", "if (a) {", "f(); }", f"if ({EITHER}(a || b, a)) {{"),
+        ("A::A() : sub_{", "Given{*this},", "this,", '"image"} {}', f"{EITHER}(Given{{*this}}, this),"),
+        ("f(1,", "a(1, 2)", "a(3, 4)", ");", f"{EITHER}(a(1, 2), a(3, 4))"),
+        ("return", "g(a)", "h(a)", ";", f"{EITHER}(g(a), h(a))"),
+        ("f(", "new A(1),", "new B(1),", "2);", f"{EITHER}(new A(1), new B(1)),"),
+    ],
+)
+def test_both_branches_of_a_condition_within_a_statement(
+    before: str, one: str, other: str, behind: str, expected: str
+) -> None:
+    result = prepared(f"{before}\n#ifdef NDEBUG\n{one}\n#else\n// other\n{other}\n#endif\n{behind}\nlast();")
+    assert lines(result.text) == [line for line in (before, expected, behind, "last();") if line]
+    assert result.text.split("\n")[8].strip() == "last();"
+    assert not result.findings
+
+
+@pytest.mark.parametrize(
+    ("before", "one", "behind", "expected"),
+    [
+        ("if (a", "|| b.c()", ") {f();}", f"|| {EITHER}(b.c(), false)"),
+        ("x = a", "&& (b || c)", ";", f"&& {EITHER}((b || c), true)"),
+        ("if (a) {f();", "} else if (b) {g();", "} else {h();}", f"}} else if ({EITHER}(b, false)) {{g();"),
+    ],
+)
+def test_what_may_stand_in_a_statement_or_not(before: str, one: str, behind: str, expected: str) -> None:
+    result = prepared(f"{before}\n#ifdef NDEBUG\n{one}\n#endif\n{behind}")
+    assert lines(result.text) == [before, expected, behind]
+    assert not result.findings
 
 
 def test_a_macro_with_two_definitions_is_either() -> None:

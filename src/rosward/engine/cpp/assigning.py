@@ -74,7 +74,10 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     if own is not None:
         return own if own is UNBOUND else slot
     if operator != "=":
-        value = binary(machine, operator[:-1], read(machine, slot), read(machine, src), inplace=True)
+        before = read(machine, slot)
+        if _is_whole(before) and _declared(machine, slot) is not None:  # the type of the place counts
+            before = plain_number(before)
+        value = binary(machine, operator[:-1], before, read(machine, src), inplace=True)
         if value is UNBOUND or slot.__class__ is Pointer:  # an iterator that nobody keeps: `++names.begin()`
             return value
         if not isinstance(slot, Ref) or value != slot:

@@ -99,7 +99,7 @@ def class_cast_to(machine: Engine, value: Value) -> Info | None:
         return None
     op = frame.op
     own: list[int] = [getattr(op, name) for name in ("obj", "func", "src") if hasattr(op, name)]
-    given = [each.register for each in getattr(op, "arguments", ()) if isinstance(each, Argued)]
+    given = [each.register for each in getattr(op, "arguments", None) or () if isinstance(each, Argued)]
     for register in (*own, *given):
         cast = frame.cast.get(register)
         if cast is not None and read(machine, frame.registers[register]) is value:

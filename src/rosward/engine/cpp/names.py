@@ -18,6 +18,7 @@ from rosward.engine.cpp.linked import Info, Linked, linked
 from rosward.engine.cpp.types import dotted
 from rosward.ir.symbols import Scope, Symbol, SymbolKind
 from rosward.models.cpp.constants import known_member, known_name
+from rosward.models.ros.interfaces import message_name
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -355,6 +356,8 @@ def _external(before: str, part: Part) -> Value:
     known = known_name(name, part.types)
     if known is not None:
         return known
+    if name.endswith("_") and message_name(name[:-1]) is not None:
+        return External(name[:-1])  # `String_<std::allocator<void>>` is what a String is
     return External(name) if part.types is None else TypeOf(name, part.types)
 
 

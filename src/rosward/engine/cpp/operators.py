@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import External
-from rosward.domain.slots import Overloads
+from rosward.domain.enumerated import Whole
+from rosward.domain.slots import Overloads, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Choice, Class, Const, Function, Ref, Value
 from rosward.engine.cpp import calls, members, names
@@ -23,6 +24,7 @@ from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
 from rosward.models.cpp.boxes import unboxed
+from rosward.models.cpp.conversions import convert
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
@@ -118,7 +120,13 @@ def unary(machine: Engine, operator: str, value: Value) -> Value:
 def binary(machine: Engine, operator: str, left: Value, right: Value, *, inplace: bool = False) -> Value:
     """left operator right."""
     own = own_operator(machine, operator, (left, right)) if not inplace else None
-    return own if own is not None else plain.binary(machine, operator, left, right)
+    if own is not None:
+        return own
+    value = plain.binary(machine, operator, left, right)
+    before = left.value if inplace and isinstance(left, Const) else None
+    if isinstance(before, Whole) and isinstance(value, Const):  # `auto u = bytes[0]; u += 255;`
+        return convert(machine, value, TypeOf(before.named, ()))
+    return value
 
 
 def compare(machine: Engine, operator: str, left: Value, right: Value) -> Value:

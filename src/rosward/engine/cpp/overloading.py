@@ -237,7 +237,7 @@ def _shaped(machine: Engine, name: str, *, is_pointer: bool, value: Value) -> in
     if isinstance(value, _CALLABLES):
         return _TEMPLATE if name == "function" else _NEVER
     own = dotted(type_of(machine, value)).rpartition(".")[2]
-    if own == name:
+    if name in (own, f"{own}_"):  # `String_<A>` is what the message String is
         return _NEAR
     return _CONVERTED if isinstance(value, Tuple) else _NEVER
 

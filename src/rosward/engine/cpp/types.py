@@ -189,6 +189,11 @@ def match(
         kind, *numbers = pattern.arguments
         match(machine, kind, TypeOf("int", ()), wanted, bindings, depth + 1)
         pattern = pattern._replace(names=("std", "index_sequence"), arguments=tuple(numbers))
+    if pattern.names and pattern.names[-1].endswith("_") and is_message(type_):  # `String_<A>` is what a String is
+        named = ".".join(pattern.names)[:-1]
+        if not f".{dotted(type_)}".endswith(f".{named.removeprefix('.')}"):
+            return False
+        type_ = TypeOf(f"{dotted(type_)}_", (_ALLOCATOR,))
     types = _arguments(machine, type_)
     if pattern.builtin == "function" and not isinstance(type_, Unknown) and name_of(type_) != "function":
         return False
@@ -203,6 +208,10 @@ def match(
         if index < len(types) and not match(machine, each, types[index], wanted, bindings, depth + 1, sure=sure):
             return False
     return True
+
+
+_ALLOCATOR: Final = TypeOf("std.allocator", (TypeOf("void", ()),))
+"""What messages are made with."""
 
 
 def _first(pattern: TypePattern) -> TypePattern:

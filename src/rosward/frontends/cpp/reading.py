@@ -12,6 +12,7 @@ from rosward.frontends.cpp.conditions import Asked, holds, is_defined
 from rosward.frontends.cpp.file_text import SourceLines
 from rosward.frontends.cpp.known import macro_prefix
 from rosward.frontends.cpp.macros import Expansion, Macro, Macros, TooMuchError, definition
+from rosward.frontends.cpp.merged import merged
 from rosward.frontends.cpp.prepared import Choice, Prepared
 from rosward.frontends.cpp.registrations import registrations as registered_classes
 from rosward.frontends.cpp.store import FileStore
@@ -274,6 +275,9 @@ class Reading:
                 break
         several = bool(chosen) and len(chosen) + (not complete) > 1
         if several and not self._can_keep(branches):
+            if self._merge([branches[n] for n in chosen], complete=complete):
+                self._out += [""] * (end - opening.line - 1 - (end >= last))
+                return end + 1
             self._tell(
                 "RW206",
                 "Whether this condition holds is not known, and its branches are no whole statements: the first is taken.",
@@ -295,6 +299,20 @@ class Reading:
         if end < last:
             self._out.append("")
         return end + 1
+
+    def _merge(self, branches: list[tuple[int, int]], *, complete: bool) -> bool:
+        """Put out one text for all branches, in the line of the first, where that can be."""
+        lines, found = self._source.lines, self._source.found
+        if any(number in found for first, behind in branches for number in range(first, behind)):
+            return False
+        before = "\n".join(self._out[-200:])
+        text = merged(["\n".join(lines[first:behind]) for first, behind in branches], before, complete=complete)
+        if text is None:
+            return False
+        self._out.append("")
+        self._text([text])
+        self._expanded.add(len(self._out))
+        return True
 
     def _nested(self, first: int, behind: int) -> None:
         self._depth_of_conditions += 1

@@ -22,6 +22,7 @@ void (*table[])() = {f, g};              void (*table[])()   {f, g};
 Lamp & on(lamps[0].on);                  Lamp & on=lamps[0].on ;
 int (&row)[3] = rows[0];                 int  &row      = rows[0];
 using Ts::operator()...;                 using Ts::operator()   ;
+o.operator()(1), p->A::operator=(a)      o.operato$LR(1), p->A::operato$E(a)
 using std::sin, std::cos;                using std::sin;using  std::cos;
 template class Tree<Node>;               nothing: it runs nothing
 extern template int sum<int>(int);       the same
@@ -45,7 +46,7 @@ _SLOTS: Final = re.compile(r"(?:(?<=\bpublic)|(?<=\bprivate)|(?<=\bprotected))[ 
 _SIGNALS: Final = re.compile(r"^([ \t]*)signals(?=[ \t]*:[^:])", re.MULTILINE)
 _EMIT: Final = re.compile(r"(^|[;{}):])([ \t]*)emit(?=[ \t]+[A-Za-z_])", re.MULTILINE)
 _INSTANTIATION: Final = re.compile(
-    r"^[ \t]*(?:extern[ \t]+)?template(?=[ \t\n]+[A-Za-z_])[^;{}]{0,1000};", re.MULTILINE
+    r"(?:^|(?<=;))[ \t]*(?:extern[ \t]+)?template(?=[ \t\n]+[A-Za-z_])[^;{}]{0,1000};", re.MULTILINE
 )
 _NO_ARGUMENTS: Final = re.compile(r"(?:(?<=->)|(?<=::)|(?<=\w\.))[ \t]*\btemplate\b(?=[ \t]+\w+[ \t]*\()")
 
@@ -94,10 +95,20 @@ _MOST: Final = 1_000
 _USING_LIST: Final = re.compile(
     r"((?:^|[;{}:])[ \t]*)(using\s(?!\s*namespace\b)[^;={}()\"]*,[^;={}()\"]*)(?=;)", re.MULTILINE
 )
+_OPERATOR: Final = re.compile(
+    rf"{LITERAL}|"
+    r"((?:\.|->)\s*(?:template\s+)?(?:\w+(?:<[^;(){}]{0,200}>)?\s*::\s*){0,5})"
+    r"operator(\s*)(\(\s*\)|\[\s*\]|->\*?|[-+*/%^&|~!=<>]{1,3}|(?<=\s)(?:bool|int|double|float))(?=\s*\(|(?<=\))\s*<)"
+)
+"""An operator that is called by its name as a member."""
 _USING_PACK: Final = re.compile(r"(\busing\s+\w+\s*::\s*operator\s*\(\s*\)\s*)(\.\.\.)")
 
 THROW: Final = "~~~~~"
 """What stands for a `throw` that is an operand: an operator that nobody writes."""
+OPERATOR: Final = "operato$"
+"""What begins the name of a member that stands for an operator."""
+_SIGNS: Final = dict(zip("()[]-+*/%^&|~!=<>", "LRBKMPSDQCAOTNEUG", strict=True))
+_MEANT: Final = {letter: sign for sign, letter in _SIGNS.items()}
 MEMBER: Final = {".*": "%~", "->*": "%~~"}
 """What stands for the operators of pointers to members: they have the precedence of `%`, about, and what follows is an expression of any form."""
 
@@ -106,10 +117,7 @@ def suited(text: str) -> str:
     """The text as the grammar likes it, each character where it was (but for lists of `using`)."""
     if "typename" in text:
         text = _TYPENAME.sub(_blank, text)
-    if "::*" in text:
-        text = _MEMBER_POINTER.sub(_plain_pointer, text)
-    if "->*" in text or ".*" in text:
-        text = _MEMBER_OPERATOR.sub(lambda found: MEMBER.get(found[0], found[0]), text)
+    text = _members(text)
     if "va_arg" in text:
         text = _VA_ARG.sub(lambda found: f"{found[1]}0{' ' * (len(found[2]) - 1)}", text)
     if "throw" in text:
@@ -142,6 +150,29 @@ def suited(text: str) -> str:
     if "template" in text:
         text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_nothing, text))
     return text
+
+
+def _members(text: str) -> str:
+    """The text with pointers to members, and operators that are called by their names, as other names and operators."""
+    if "::*" in text:
+        text = _MEMBER_POINTER.sub(_plain_pointer, text)
+    if "->*" in text or ".*" in text:
+        text = _MEMBER_OPERATOR.sub(lambda found: MEMBER.get(found[0], found[0]), text)
+    return _OPERATOR.sub(_named_operator, text) if "operator" in text else text
+
+
+def operator_meant(name: str) -> str:
+    """`operator()` for the `operato$LR` that stands for it."""
+    signs = name[len(OPERATOR) :]
+    return f"operator {signs}" if signs.islower() else "operator" + "".join(_MEANT.get(each, "") for each in signs)
+
+
+def _named_operator(found: re.Match[str]) -> str:
+    if found[3] is None:
+        return found[0]
+    signs = "".join(found[3].split())
+    named = OPERATOR + (signs if signs.isalpha() else "".join(_SIGNS[each] for each in signs))
+    return found[1] + named + " " * (len(found[0]) - len(found[1]) - len(named))
 
 
 def _initialised(found: re.Match[str], variables: dict[str, bool]) -> str:

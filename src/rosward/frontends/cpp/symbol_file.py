@@ -19,6 +19,7 @@ from rosward.frontends.cpp.outline import Declared, Outline, outline
 from rosward.frontends.cpp.parse import Parsed
 from rosward.frontends.cpp.patterns import written
 from rosward.frontends.cpp.symbol import CppSymbol
+from rosward.frontends.cpp.vexing import as_meant
 from rosward.ir.symbols import Scope, SymbolKind
 
 if TYPE_CHECKING:
@@ -62,10 +63,15 @@ class FileSymbols:
         return outline(self.parsed)
 
     @cached_property
+    def _declared(self) -> Sequence[Declared]:
+        """The same, each as what it is."""
+        return [as_meant(each, self._seen.files) for each in self.outline.declared]
+
+    @cached_property
     def plain(self) -> Table:
         """What is declared where it belongs."""
         found: dict[Scope, dict[str, list[CppSymbol]]] = {}
-        for each in self.outline.declared:
+        for each in self._declared:
             if not each.before:
                 own = each.templates[-1] if each.templates else None
                 _put(found, self._symbol(each, each.scope, own))
@@ -75,7 +81,7 @@ class FileSymbols:
     def elsewhere(self) -> Table:
         """What is declared with the scope that it belongs to before its name."""
         found: dict[Scope, dict[str, list[CppSymbol]]] = {}
-        for each in self.outline.declared:
+        for each in self._declared:
             if each.before:
                 names, own = _scope_before(each.before, each.templates)
                 _put(found, self._symbol(each, self._seen.scope(each.scope, names), own))
@@ -268,6 +274,8 @@ def _variables(symbol: CppSymbol) -> Iterator[CppSymbol]:
         here = waiting.pop()
         if here.template is not None and here.own is not None and here.own.named_children:
             continue  # there are as many as instances
+        if any(parameters.named_children for parameters in here.declared.templates):
+            continue  # as there are of a static member of a class template
         if here.kind is SymbolKind.VARIABLE:
             is_there = here.static and not here.words.isdisjoint({"inline", "constexpr"}) if here.owner else True
             if is_there and ("extern" not in here.words or here.declared.node.type == "init_declarator"):

@@ -84,6 +84,7 @@ def _set(call: NativeCall, name: str, value: Value) -> Value:
 def _get(call: NativeCall) -> Value:
     """future.get(): what was set, or what the callable gives, which has run by now."""
     machine = call.machine
+    machine.waits(others=True)
     found: list[Value] = []
     for held in options(read(machine, call.args[0])):
         attrs = machine.obj(held).attrs if isinstance(held, Ref) else {}
@@ -120,6 +121,7 @@ def _new_future(call: NativeCall) -> Value:
 
 
 def _waited(call: NativeCall) -> Value:
+    call.machine.waits(others=True)
     return call.machine.unknown(Cause.LIVE, call.name)
 
 

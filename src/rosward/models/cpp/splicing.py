@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elements that go from one list to another, or to another place of it.
+"""Elements that go from one list to another, or to another place of it, and where a reverse iterator is in the list itself.
 
 a.splice(a.end(), b)            all of b
 a.splice(a.begin(), a, i)       one element to the front
 a.splice(a.end(), b, i, j)      those from i to j
+a.erase(std::next(r).base())    the element to which `r` leads
 """
 
 from __future__ import annotations
@@ -12,14 +13,15 @@ from typing import Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.series import Series
-from rosward.domain.values import NONE, Ref, Value
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.containers import receivers
-from rosward.models.cpp.iterators import as_iterator
+from rosward.models.cpp.iterators import as_iterator, iterator, length
 from rosward.models.cpp.slots import read
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.lists import write_series
-from rosward.models.python.plain import int_of
+from rosward.models.python.plain import int_of, unknown_from
 
 __all__ = ["NATIVES"]
 
@@ -63,4 +65,26 @@ def _move(machine: Machine, ref: Ref, other: Ref, where: Value, given: tuple[Val
     write_series(machine, other, Series(left))
 
 
-NATIVES: Final[dict[str, NativeFunction]] = with_least({"std.vector.splice": _splice}, 3)
+def _base(call: NativeCall) -> Value:
+    """reverse_iterator.base(): the iterator to the element behind."""
+    machine = call.machine
+    return join_all(_behind(machine, value) for value in options(read(machine, call.args[0])))
+
+
+def _behind(machine: Machine, value: Value) -> Value:
+    slot = as_iterator(value)
+    if slot is None or slot.kind != "reverse" or not isinstance(slot.key, Value):
+        return machine.unknown(Cause.CALL, "base")
+    if slot.key == NONE:
+        return iterator(slot.base, Const(0))
+    at, size = int_of(slot.key), length(machine, slot.base)
+    if at is None or (size is None and at >= 0):
+        return iterator(slot.base, unknown_from(machine, "base", "int", slot.key))
+    is_end = isinstance(slot.base, Ref) and (at < 0 or at + 1 == size)
+    return iterator(slot.base, NONE if is_end else Const(at + 1))
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    **with_least({"std.vector.splice": _splice}, 3),
+    "std.shared_ptr.base": _base,
+}

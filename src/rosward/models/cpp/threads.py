@@ -64,8 +64,29 @@ def _made(call: NativeCall) -> Value:
     return _opaque(call.machine, name_of(call.args[0]))
 
 
+def _meanwhile(call: NativeCall) -> Value:
+    """What waits, or takes time: other threads run."""
+    call.machine.waits(others=True)
+    return NONE
+
+
+def _zero(call: NativeCall) -> Value:
+    """The same, in C."""
+    _meanwhile(call)
+    return Const(0)
+
+
+def _pthread(call: NativeCall) -> Value:
+    """pthread_create(&thread, attributes, function, argument)"""
+    machine = call.machine
+    for function in call.args[2:3]:
+        machine.schedule(read(machine, function), tuple(read(machine, arg) for arg in call.args[3:4]), "thread")
+    return Const(0)
+
+
 def _wait(call: NativeCall) -> Value:
     """condition.wait(lock, predicate): the predicate is asked."""
+    call.machine.waits(others=True)
     for predicate in call.args[-1:] if len(call.args) > 2 else ():
         call.machine.call(read(call.machine, predicate), ())
     return call.machine.unknown(Cause.LIVE, call.name)
@@ -129,7 +150,6 @@ _SILENT: Final = (
     "unlock_shared",
     "notify_one",
     "notify_all",
-    "join",
     "detach",
     "release",
 )
@@ -150,7 +170,8 @@ _ATOMIC: Final[dict[str, NativeFunction]] = {
     **{f"fetch_{name}": _fetch(op) for name, op in {"add": "+", "sub": "-", "or": "|", "and": "&", "xor": "^"}.items()},
     **dict.fromkeys(("compare_exchange_strong", "compare_exchange_weak"), _compare_exchange),
     "is_lock_free": _unsure,
-    **dict.fromkeys(("wait", "notify_one", "notify_all"), _nothing),
+    **dict.fromkeys(("notify_one", "notify_all"), _nothing),
+    "wait": _meanwhile,
 }
 
 
@@ -180,17 +201,21 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     **{f"std.{name}.new": _made for name in _LOCKS},
     **{f"std.{name}.{method}": _nothing for name in (*_LOCKS, "thread", "jthread") for method in _SILENT},
     **{f"std.{name}.{method}": _unsure for name in (*_LOCKS, "thread", "jthread") for method in _ASKED},
+    **{f"std.{name}.join": _meanwhile for name in ("thread", "jthread")},
+    **{f"std.{name}": _meanwhile for name in ("barrier.wait", "latch.wait", "counting_semaphore.acquire")},
     **{f"std.{name}.get_id": _waited for name in ("thread", "jthread")},
     **{
         f"std.condition_variable{kind}.{name}": _wait
         for kind in ("", "_any")
         for name in ("wait", "wait_for", "wait_until")
     },
-    **{f"std.this_thread.{name}": _nothing for name in ("sleep_for", "sleep_until", "yield")},
+    **{f"std.this_thread.{name}": _meanwhile for name in ("sleep_for", "sleep_until", "yield")},
     "std.this_thread.get_id": _waited,
     "std.thread.hardware_concurrency": _waited,
     **dict.fromkeys(("std.lock", "std.atomic_thread_fence"), _nothing),
     "std.atomic.new": _new_atomic,
     **{f"std.atomic.{name}": function for name, function in with_least(_ATOMIC, 1, _LEAST).items()},
-    **dict.fromkeys(("std.usleep", "std.sleep", "std.nanosleep", "std.pthread_create"), _nothing),
+    **dict.fromkeys(("std.usleep", "std.sleep", "std.nanosleep"), _meanwhile),
+    **dict.fromkeys(("std.pthread_join", "std.pthread_cond_wait", "std.sem_wait"), _zero),
+    "std.pthread_create": _pthread,
 }

@@ -17,8 +17,9 @@ from typing import Final, final
 from rosward.source import disk
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake.exported import ExportCommands
-from rosward.source.cmake.interpreter import Handler, Interpreter
+from rosward.source.cmake.interpreter import Interpreter
 from rosward.source.cmake.making import TargetCommands
+from rosward.source.cmake.reader import Handler
 from rosward.source.cmake.targets import Build, Definition
 from rosward.source.cmake.text import Command
 from rosward.source.cmake.variables import HOLE
@@ -153,6 +154,10 @@ class _Reader:
         if place is not None:
             self._interpreter.define(*place)
         return place is not None
+
+    def not_understood(self, arguments: list[str], command: Command) -> None:
+        """A command of a package from elsewhere may make a target."""
+        self._targets.unknown(arguments, command)
 
     def has_command(self, name: str) -> bool | None:
         """Whether a command of that name is there."""

@@ -12,8 +12,9 @@ from typing import final
 
 from rosward.source import disk
 from rosward.source.cmake.install import by_option, installed_targets, registered_classes
-from rosward.source.cmake.interpreter import Handler, Interpreter
+from rosward.source.cmake.interpreter import Interpreter
 from rosward.source.cmake.making import TargetCommands
+from rosward.source.cmake.reader import Handler
 from rosward.source.cmake.targets import Component, Made, ParameterHeader
 from rosward.source.cmake.text import Command
 from rosward.source.cmake.variables import HOLE

@@ -20,7 +20,8 @@ from rosward.records import NamedTuple
 from rosward.source import disk
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake.install import CMakeTarget, Targets, below_share, by_option, shared
-from rosward.source.cmake.interpreter import Handler, Interpreter
+from rosward.source.cmake.interpreter import Interpreter
+from rosward.source.cmake.reader import Handler
 from rosward.source.cmake.text import Command
 from rosward.source.entry_points import EntryPoint, read_setup_cfg
 from rosward.source.location import Place
@@ -129,6 +130,9 @@ class _Reader:
     def unknown_command(self, name: str) -> bool:  # noqa: ARG002
         """Commands of other packages install nothing that is known."""
         return False
+
+    def not_understood(self, arguments: list[str], command: Command) -> None:
+        """Nor do others."""
 
     def _generated(self, arguments: list[str], command: Command) -> None:
         if len(arguments) >= 2:

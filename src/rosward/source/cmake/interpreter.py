@@ -15,9 +15,8 @@ Nothing outside of the package is read, and everything is bounded.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Final, Protocol, TypeAlias, final
+from typing import Final, final
 
 from rosward.findings import Finding
 from rosward.records import NamedTuple
@@ -28,6 +27,7 @@ from rosward.source.cmake.conditions import Surroundings, holds
 from rosward.source.cmake.files import PackageFiles
 from rosward.source.cmake.joined import joined
 from rosward.source.cmake.lists import COMPUTATIONS, change_list, loop_items
+from rosward.source.cmake.reader import Reader
 from rosward.source.cmake.text import Command, parse_cmake
 from rosward.source.cmake.variables import HOLE, Variables
 from rosward.source.location import Place
@@ -44,8 +44,6 @@ _WRITES_FIRST: Final = frozenset(
 )  # fmt: skip
 """Commands that write a variable, named by an argument, with what nobody knows before the build."""
 
-Handler: TypeAlias = Callable[[list[str], Command], None]
-
 
 class Function(NamedTuple):
     """A function or macro of the description."""
@@ -54,21 +52,6 @@ class Function(NamedTuple):
     body: list[Step]
     is_macro: bool
     file: str
-
-
-class Reader(Protocol):
-    """What a reader adds to the interpreter."""
-
-    handlers: Mapping[str, Handler]
-
-    def known(self, name: str) -> str:
-        """The value of a variable that CMake itself sets; '' where it sets none."""
-
-    def environment(self, name: str) -> str:
-        """The value of an environment variable."""
-
-    def unknown_command(self, name: str) -> bool:
-        """Whether a function of that name could be had from elsewhere, and was given to the interpreter."""
 
 
 @final
@@ -98,6 +81,7 @@ class Interpreter:
         self._listed = folder
         self.file = ""
         self.files = PackageFiles(folder)
+        self._first = dict(variables)
         self.variables = Variables(self._known, reader.environment, self._spent, variables)
         self.functions: dict[str, Function] = {}
         self.undecided: list[Place] = []
@@ -274,8 +258,9 @@ class Interpreter:
             case name if name in COMPUTATIONS:
                 if not COMPUTATIONS[name](arguments, self.variables):
                     self._forget(arguments)
-            case "add_subdirectory" if arguments:
-                self._subdirectory(arguments[0], depth)
+            case "add_subdirectory" | "externalproject_add" if arguments:
+                into = self._subdirectory if command.name == "add_subdirectory" else self._again
+                into(arguments, depth)
             case "include" if arguments:
                 self._include(arguments[0], depth)
             case name if name in self._reader.handlers:
@@ -288,6 +273,8 @@ class Interpreter:
             case name:
                 if self._reader.unknown_command(name) and name in self.functions:
                     self._call(name, arguments, depth)
+                else:
+                    self._reader.not_understood(arguments, command)
 
     def _set(self, arguments: list[str]) -> None:
         name, *values = arguments
@@ -313,8 +300,8 @@ class Interpreter:
                 if name.isidentifier():
                     self.variables.values[name] = HOLE
 
-    def _subdirectory(self, path: str, depth: int) -> None:
-        inner = self.inside(path)
+    def _subdirectory(self, arguments: list[str], depth: int) -> None:
+        inner = self.inside(arguments[0])
         if inner is not None and disk.is_file(os.path.join(inner, "CMakeLists.txt")):  # noqa: PTH118
             values = self.variables.values
             name = values["PROJECT_NAME"]  # a project within has a name of its own
@@ -326,6 +313,20 @@ class Interpreter:
             if self._around is not None:
                 self.variables.values = self._parents.pop()
             self.variables.values["PROJECT_NAME"] = name
+
+    def _again(self, arguments: list[str], depth: int) -> None:
+        """`ExternalProject_Add(it SOURCE_DIR ${PROJECT_SOURCE_DIR} CMAKE_ARGS -DALL=OFF)`: a folder of the package, built with these."""
+        if self._around is None or "SOURCE_DIR" not in arguments[:-1]:
+            return
+        inner = self.inside(arguments[arguments.index("SOURCE_DIR") + 1])
+        if inner is None or not disk.is_file(os.path.join(inner, "CMakeLists.txt")):  # noqa: PTH118
+            return
+        values = self.variables.values
+        given = (a[2:].partition("=") for a in arguments if a.startswith("-D") and "=" in a)
+        self.variables.values = {**self._first, **{name.partition(":")[0]: value for name, _, value in given}}
+        folder, self.folder = self.folder, inner
+        self.read(inner, depth + 1)
+        self.folder, self.variables.values = folder, values
 
     def _include(self, path: str, depth: int) -> None:
         places = [path]

@@ -10,15 +10,18 @@ What is said of a folder (`include_directories`) holds for its targets, and for 
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final, final
 
-from rosward.source import disk
+from rosward.source import disk, limits
 from rosward.source.cmake.generators import meant, objects_of
-from rosward.source.cmake.interpreter import Handler, Interpreter
+from rosward.source.cmake.interpreter import Interpreter
+from rosward.source.cmake.reader import Handler
 from rosward.source.cmake.targets import Definition, Made, Making, Using
 from rosward.source.cmake.text import Command
 from rosward.source.cmake.variables import HOLE
+from rosward.source.text import read_bytes
 from rosward.source.walk import CPP_SOURCES
 
 _VISIBLE: Final = frozenset(
@@ -32,6 +35,13 @@ _NO_SOURCE: Final = frozenset(
     {"WIN32", "MACOSX_BUNDLE", "EXCLUDE_FROM_ALL", "NO_TARGET_LINK_LIBRARIES", "PRIVATE", "PUBLIC", "BEFORE", "SYSTEM", "AFTER"}
 )  # fmt: skip
 _TARGET_LIMIT: Final = 2_000
+_MAKES: Final = re.compile(
+    r"(?:add|make|build|create).*?(executable|program|binary|node|app|lib|component|plugin|module|target|package)"
+)
+_MAKES_NOT: Final = re.compile(
+    r"test|mock|benchmark|custom|lint|check|dependenc|flag|definition|option|include|install|doc|python|pybind"
+)
+_MAIN: Final = re.compile(rb"\bmain\s*\(")
 
 
 @final
@@ -111,6 +121,30 @@ class TargetCommands:
         if self._is_own(name, sources):
             made = next((_KINDS[s] for s in sources[:2] if s in _KINDS), Made.LIBRARY)
             self.add(name, made, [s for s in sources if s not in _KINDS], command)
+
+    def unknown(self, arguments: list[str], command: Command) -> None:
+        """A command that nothing defines, of which the name says that it makes a target, and that sources are given to:
+        `demo_add_library(TARGET core SOURCES src/a.cpp)`. It is a program where one of them has `main`."""
+        if not _MAKES.search(command.name) or _MAKES_NOT.search(command.name):
+            return
+        sources = [a for a in arguments if a.endswith(CPP_SOURCES) and self._is_file(a)]
+        names = [a for a in arguments if a not in sources and not a.isupper() and HOLE not in a]
+        if not sources or not names:
+            return
+        marked = next((n for n, a in enumerate(arguments[:-1]) if a in {"TARGET", "NAME"}), -1)
+        name = arguments[marked + 1] if marked >= 0 else names[0]
+        made = Made.PROGRAM if any(map(self._has_main, sources)) else Made.LIBRARY
+        self.add(name, made, sources, command)
+        if name in self.made:
+            self.made[name].installed = True
+
+    def _is_file(self, text: str) -> bool:
+        path = self._interpreter.inside(text)
+        return path is not None and disk.is_file(path)
+
+    def _has_main(self, text: str) -> bool:
+        data = read_bytes(self._interpreter.inside(text) or "", text, limits.CMAKE_FILE)
+        return isinstance(data, bytes) and _MAIN.search(data) is not None
 
     def _is_own(self, name: str, words: Sequence[str]) -> bool:
         """Whether the words behind a name make a target of the package: neither another name of one, nor one from elsewhere."""

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final, Literal
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.compared import compared
 from rosward.frontends.cpp.lower.initialisers import arguments, construct, given
-from rosward.frontends.cpp.lower.names import last_part, name, of_parts, parts_of, template_arguments
+from rosward.frontends.cpp.lower.names import Written, last_part, name, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.operators import binary, choose, target, through_pointer
 from rosward.frontends.cpp.lower.seen import declared, is_constant
 from rosward.frontends.cpp.lower.survey import through_member, through_number, word
@@ -20,6 +20,7 @@ from rosward.frontends.cpp.lower.types import REFERENCES, TYPES, has, type_of
 from rosward.frontends.cpp.macros import EITHER
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp import Argued, Assign, Convert, Invoke, InvokeMember, Read, TypeOfValue
+from rosward.ir.op import Block
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -56,6 +57,9 @@ def _call(body: Body, node: Node, want: Want) -> int:
         if comparison is not None:
             return comparison
     if function.type in ("identifier", "qualified_identifier", "template_function"):
+        written = parts_of(function) if body.has_this and function.type == "qualified_identifier" else None
+        if written is not None and written.parts[-1][0] == "operator=":  # `Base::operator=(o)`
+            return _assigned_by_name(body, node, 0, _scope(body, function, written), "=", listed, want)
         func = name(body, function, "value")
     else:
         func = body.value(function)
@@ -110,7 +114,9 @@ def _method(body: Body, node: Node, function: Node, listed: Node | None, want: W
     text, types = written.parts[-1] if written is not None else last_part(field)
     scope = NO_REGISTER
     if written is not None and len(written.parts) > 1:  # `o.Base::f()`
-        scope = of_parts(body, field, written._replace(parts=written.parts[:-1]), "value")
+        scope = _scope(body, field, written)
+    if text == "operator=" or (text in _ASSIGNING and scope == NO_REGISTER):
+        return _assigned_by_name(body, node, obj, scope, text[len("operator") :], listed, want, function)
     chosen = None if types is None else template_arguments(body, types)
     if number is not None:
         chosen = (body.value(number),)
@@ -140,6 +146,43 @@ def _method(body: Body, node: Node, function: Node, listed: Node | None, want: W
         ),
         want,
     )
+
+
+_ASSIGNING: Final = frozenset(f"operator{sign}=" for sign in ("+", "-", "*", "/", "%", "&", "|", "^", "<<", ">>"))
+
+
+def _scope(body: Body, node: Node, written: Written) -> int:
+    """The class before the last name of several."""
+    return of_parts(body, node, written._replace(parts=written.parts[:-1]), "value")
+
+
+def _assigned_by_name(
+    body: Body,
+    node: Node,
+    obj: int,
+    scope: int,
+    operator: str,
+    listed: Node | None,
+    want: Want,
+    member: Node | None = None,
+) -> int:
+    """`o.operator=(a)` is `o = a`, and `Base::operator=(a)` is that of the part which is of the base."""
+    given_ = [child for child in listed.named_children if child.type != "comment"] if listed is not None else []
+    if len(given_) != 1:
+        return body.unknown(node, "syntax")
+    place, slot = body.place(node), obj
+    seen: Block = []
+    static = NO_REGISTER
+    if scope != NO_REGISTER:
+        slot = body.register()
+        body.emit(Convert(*place, slot, obj, scope, "static"))
+    elif member is not None and operator == "=":
+        seen, static = declared(body, member.child_by_field_name("argument"), place)
+    body.assignments += 1
+    src = body.value(given_[0])
+    dst = NO_REGISTER if want == "effect" else body.register()
+    body.emit(Assign(*place, dst, operator, slot, src, seen=seen, static=static))
+    return dst if want == "effect" else body.given(node, dst, want)
 
 
 def _cast(body: Body, node: Node, function: Node, listed: Node | None, kind: Cast) -> int:

@@ -31,6 +31,7 @@ from rosward.frontends.cpp.lower.survey import survey
 from rosward.frontends.cpp.lower.types import declared_type, type_of
 from rosward.frontends.cpp.lower.undecided import Undecided
 from rosward.frontends.cpp.lower.variables import Returns
+from rosward.frontends.cpp.lower.vexing import arguments_in, meant
 from rosward.frontends.cpp.marks import function_of
 from rosward.frontends.cpp.written import Written
 from rosward.ir.control import Return
@@ -83,6 +84,9 @@ def lower_initial(written: Written, template: Template) -> Code | None:
     node, whole = written.declared.node, written.declared.whole
     if node.type == "enumerator":
         return _thunk(written, node, _VALUE, template, lambda body: declarations.enumerated(body, node))
+    around = node.parent
+    if around is not None and around.type == "function_declarator":  # `Key key(ids::NAV);`, which reads like a function
+        return _thunk(written, node, _VALUE, template, lambda body: _of_arguments(body, around, whole), written.leading)
     what, shape, equals = _initialiser(node, whole)
     if what is None:
         return None
@@ -94,6 +98,14 @@ def lower_initial(written: Written, template: Template) -> Code | None:
         return declarations.initial(body, what, type_node, shape, what, equals=equals)
 
     return _thunk(written, node, _VALUE, template, lower, written.leading)
+
+
+def _of_arguments(body: Body, declarator: Node, whole: Node) -> int:
+    """What a variable begins with of which the arguments read like parameters."""
+    listed = arguments_in(declarator) or []
+    made = initialisers.Given(tuple(meant(body, each) for each in listed), "paren")
+    shape = declarator.child_by_field_name("declarator")
+    return declarations.initial(body, whole, whole.child_by_field_name("type"), shape, made, equals=False)
 
 
 def lower_type(written: Written, template: Template) -> Code | None:

@@ -16,7 +16,7 @@ from rosward.frontends.cpp.lower.body import Body, Want, free_cell
 from rosward.frontends.cpp.lower.functions import Function, finish, prologue, template_of
 from rosward.frontends.cpp.lower.seen import own
 from rosward.frontends.cpp.lower.survey import word
-from rosward.frontends.cpp.lower.types import within
+from rosward.frontends.cpp.lower.types import REFERENCES, declared_type, has, within
 from rosward.frontends.cpp.lower.variables import Returns, Variable
 from rosward.frontends.cpp.patterns import parameter_nodes, parameters
 from rosward.frontends.cpp.written import DefaultArgument
@@ -43,6 +43,7 @@ class _Copied(NamedTuple):
     raw: bool = False
     pack: bool = False
     type: bool = False
+    written: tuple[Node, Node | None] | None = None
 
 
 class _Captures(NamedTuple):
@@ -85,6 +86,7 @@ def _lambda(body: Body, node: Node, _want: Want) -> int:
         if like is not None:
             variable.reference, variable.builtin = like.reference, like.builtin
             variable.constant, variable.leads_to_constant = like.constant, like.leads_to_constant
+            variable.written = like.written
         inner.scopes[-1].names[name] = variable
     for each in captures.named:
         inner.scopes[-1].names[each.name] = each
@@ -122,10 +124,11 @@ def _take(inner: Body, node: Node, copied: list[_Copied], first: int) -> None:
                 pack=each.pack,
                 type_=each.type,
             )
-            variable.constant = each.constant
+            variable.constant, variable.written = each.constant, each.written
             inner.scopes[-1].names[each.name] = variable
         else:
             variable = inner.declare(each.name, reference=each.reference, builtin=each.builtin)
+            variable.written = each.written
             inner.write(node, variable, register)
 
 
@@ -193,17 +196,36 @@ def _capture(body: Body, node: Node, found: _Captures, name: str, how: str, muta
                 variable.raw,
                 variable.pack,
                 variable.type,
+                variable.written,
             )
         )
     elif how == "&":
         found.cells.append((name, variable.cell, variable))
     else:
-        _copied(body, node, found, name, body.of_variable(node, variable, "own"), variable.builtin, mutable)
+        _copied(body, node, found, name, _own(body, node, variable), variable.builtin, mutable, variable.written)
 
 
-def _copied(body: Body, node: Node, found: _Captures, name: str, value: int, builtin: str, mutable: bool) -> None:
+def _own(body: Body, node: Node, variable: Variable) -> int:
+    """A copy of a variable; of a reference, of what it is declared as."""
+    if variable.written is None or not has(variable.written[1], REFERENCES):
+        return body.of_variable(node, variable, "own")
+    dst, kind = body.register(), declared_type(body, *variable.written)
+    body.emit(Copy(*body.place(node), dst, body.of_variable(node, variable, "slot"), kind))
+    return dst
+
+
+def _copied(
+    body: Body,
+    node: Node,
+    found: _Captures,
+    name: str,
+    value: int,
+    builtin: str,
+    mutable: bool,
+    written: tuple[Node, Node | None] | None = None,
+) -> None:
     if not mutable:
-        found.copied.append(_Copied(name, value, builtin=builtin))
+        found.copied.append(_Copied(name, value, builtin=builtin, written=written))
         return
     cell = body.new_cell(name)
     body.emit(NewCell(*body.place(node), cell))
@@ -216,7 +238,9 @@ def _initialised(body: Body, node: Node, found: _Captures, mutable: bool) -> str
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
     name = word(within(left) if left is not None and left.child_count else left)
     if node.children[0].type == "&":
-        found.copied.append(_Copied(name, body.slot(right), reference=True))
+        like = body.variable(word(right)) if right is not None and right.type == "identifier" else None
+        written = None if like is None else like.written
+        found.copied.append(_Copied(name, body.slot(right), reference=True, written=written))
     else:
         _copied(body, node, found, name, body.own(right) if right is None else own(body, right), "", mutable)
     return name

@@ -14,6 +14,7 @@ from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import type_of
 from rosward.frontends.cpp.lower.variables import Variable
+from rosward.frontends.cpp.suited import OPERATOR, operator_meant
 from rosward.ir.core import NO_REGISTER, CharText
 from rosward.ir.cpp import Convert, Name, Part
 from rosward.records import NamedTuple
@@ -132,7 +133,8 @@ def last_part(node: Node) -> tuple[str, Node | None]:
     if node.type in {"operator_name", "destructor_name"}:
         words = word(node).split()
         return (" ".join(words) if words[0] == "operator" and words[-1].isalpha() else "".join(words)), None
-    return word(node), None
+    text = word(node)
+    return (operator_meant(text) if text.startswith(OPERATOR) else text), None
 
 
 def template_arguments(body: Body, node: Node) -> tuple[int, ...]:

@@ -112,6 +112,6 @@ void on_shutdown(std::function<void()> callback, Context::SharedPtr context = nu
 {
   rosward::schedule(callback, "shutdown");
 }
-bool sleep_for(const std::chrono::nanoseconds & nanoseconds, Context::SharedPtr context = nullptr) {return true;}
+bool sleep_for(const std::chrono::nanoseconds & nanoseconds, Context::SharedPtr context = nullptr) {std::this_thread::yield(); return true;}
 const char * get_c_string(const std::string & string_in) {return string_in;}
 }  // namespace rclcpp

@@ -72,8 +72,8 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(Clock)
   explicit Clock(rcl_clock_type_t clock_type = RCL_SYSTEM_TIME) {}
   [[rosward::source("clock")]] Time now() const {return Time();}
-  bool sleep_until(Time until, std::shared_ptr<Context> context = nullptr) {return true;}
-  bool sleep_for(Duration rel_time, std::shared_ptr<Context> context = nullptr) {return true;}
+  bool sleep_until(Time until, std::shared_ptr<Context> context = nullptr) {std::this_thread::yield(); return true;}
+  bool sleep_for(Duration rel_time, std::shared_ptr<Context> context = nullptr) {std::this_thread::yield(); return true;}
   bool started();
   bool wait_until_started(std::shared_ptr<Context> context = nullptr) {return true;}
   bool ros_time_is_active();
@@ -100,7 +100,7 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(Rate)
   template<typename T>
   explicit Rate(const T & rate, Clock::SharedPtr clock = nullptr) {}
-  virtual bool sleep() {return true;}
+  virtual bool sleep() {std::this_thread::yield(); return true;}
   virtual void reset() {}
   virtual rcl_clock_type_t get_type() const;
   std::chrono::nanoseconds period() const;
