@@ -61,6 +61,19 @@ def test_a_model_can_be_loaded(name: str, files: Files) -> None:
     assert not lost
 
 
+def test_what_a_module_imports_can_be_imported_from_it(files: Files) -> None:
+    """As editors suggest it: `from launch_ros.substitutions.find_package import get_package_share_directory`."""
+    library = Library(files.tree, own_models())
+    one, other = (
+        library.find(n, 0, None) for n in ("launch_ros.substitutions.find_package", "ament_index_python.packages")
+    )
+    assert one is not None
+    assert other is not None
+    ours, theirs = (library.at(library.load_model(found).address).attrs for found in (one, other))
+    for name in ("get_package_prefix", "get_package_share_directory"):
+        assert ours[name] == theirs[name]
+
+
 def _from_models(value: object) -> bool:
     """Functions for models, and names of the standard library that no model has."""
     return isinstance(value, External) and value.name.startswith(("_rosward", "typing."))
