@@ -117,6 +117,7 @@ class FakeProcess:
 
     def load_file(self, file: str, name: str) -> Value | None:
         del file, name
+        return None
 
     def function_record(self, function: Function) -> Obj | None:
         del function

@@ -5,12 +5,9 @@ Read from launch 3.7.0, with what humble had before it.
 """
 
 import yaml
-from _rosward import reads_only
 
 from _rosward.launch import perform
 from launch.substitution import Substitution
-
-reads_only(__name__)
 
 
 def is_substitution(x): return isinstance(x, Substitution)
