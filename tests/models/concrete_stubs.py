@@ -101,6 +101,7 @@ class Stubs:
                 removed=lambda _name: False,
                 variable=lambda _name: None,
                 set_variable=lambda _name, _value: None,
+                write_file=lambda _path, _text: None,
                 native=self._native,
                 unknown=lambda cause, subject, hint="": Unknown(f"?{subject}") if cause and hint is not None else None,
                 default=lambda _kind, name, value: Default(name, value),

@@ -48,6 +48,10 @@ class NoFiles:
         del package, relative
         return None
 
+    def name_of(self, package: str, relative: str) -> str | None:
+        del package, relative
+        return None
+
     def modules(self, relative: str) -> tuple[str, ...]:
         del relative
         return ()
@@ -110,6 +114,10 @@ class FakeProcess:
         assert not level
         assert not asked
         return Native(name)
+
+    def load_file(self, file: str, name: str) -> Value | None:
+        del file, name
+        return None
 
     def function_record(self, function: Function) -> Obj | None:
         del function

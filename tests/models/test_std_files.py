@@ -37,6 +37,10 @@ class OneFolder:
     def listing(self, package: str, relative: str) -> tuple[str, ...] | None:
         return (".b", "a.yaml") if self.is_folder(package, relative) else None
 
+    def name_of(self, package: str, relative: str) -> str | None:
+        del package, relative
+        return None
+
     def modules(self, relative: str) -> tuple[str, ...]:
         del relative
         return ()

@@ -37,6 +37,12 @@ class LaunchSettings(Protocol):
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""
 
+    def new_path(self) -> Value:
+        """A path at which there is no file yet."""
+
+    def write_file(self, path: Value, text: Value) -> None:
+        """A file is written by the launch itself: whoever reads it from now on finds this text."""
+
 
 class LaunchContext(LaunchSettings, Protocol):
     """The launch that is going on, as models of `launch` reach it (`EffectLog.launch`)."""

@@ -11,7 +11,7 @@ from rosward.domain.choice import join
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine import escape, nodes_asked, schedule, throwing
 from rosward.engine.frame import own_frame
 from rosward.findings import Finding
@@ -326,3 +326,10 @@ class Answers:
         """The module (or external thing) of a dotted name, run if it was not yet; where the program has `asked` for it, that may fail."""
         load = self.language.load_asked if asked else self.language.load_module
         return load(self, name, own_frame(self.frames), level)
+
+    def load_file(self: Engine, file: str, name: str) -> Value | None:
+        """The module of a file of the sources in the language of the program, run under a name if it was not yet; None where it is none."""
+        if not file.endswith(".py") or self.library.module(file) is None:
+            return None
+        module = ModuleValue(self.place_key(("module", file, "by its path")), name, file)
+        return module if self.own(module.address) is not None or self.run_module(module, name) else UNBOUND

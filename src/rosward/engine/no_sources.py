@@ -93,6 +93,10 @@ class NoSources:
         """No folder."""
         return None
 
+    def name_of(self, _package: str, _relative: str) -> str | None:
+        """None."""
+        return None
+
     def modules(self, _relative: str) -> tuple[str, ...]:
         """None."""
         return ()

@@ -173,6 +173,11 @@ class _RecordedFiles:
         self._note("listing", package, relative)
         return self._files.listing(package, relative)
 
+    def name_of(self, package: str, relative: str) -> str | None:
+        """See `Files`."""
+        self._note("name_of", package, relative)
+        return self._files.name_of(package, relative)
+
     def modules(self, relative: str) -> tuple[str, ...]:
         """See `Files`."""
         self._note("modules", relative)

@@ -45,6 +45,9 @@ class Files(Protocol):
     def listing(self, package: str, relative: str) -> tuple[str, ...] | None:
         """The names in a folder, sorted; None where they are not all known."""
 
+    def name_of(self, package: str, relative: str) -> str | None:
+        """The name of a file as the sources know it; None where there is none."""
+
     def modules(self, relative: str) -> tuple[str, ...]:
         """The files in Python, and the folders with such, in a folder of the sources, sorted."""
 

@@ -169,6 +169,9 @@ class Machine(Execution, Protocol):
     def load_module(self, name: str, level: int = 0, *, asked: bool = False) -> Value:
         """The module of a dotted name, run if it was not yet; where the program has `asked` for it, that may fail."""
 
+    def load_file(self, file: str, name: str) -> Value | None:
+        """The module of a file of the sources in the language of the program, run under a name if it was not yet; None where it is none."""
+
     def truth(self, value: Value) -> bool | None:
         """The truth of a value; None where both are possible (also for constants that stem from a mere default)."""
 

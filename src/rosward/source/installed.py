@@ -126,6 +126,11 @@ class Installed:
     def _find(self, package: str, relative: str) -> SourceFile | None:
         return self.share(package, relative) if package else self.source(relative)
 
+    def name_of(self, package: str, relative: str) -> str | None:
+        """The name of a file as `file` knows it; None where there is none."""
+        found = self._find(package, relative)
+        return None if found is None else found.relative
+
     def file(self, name: str) -> SourceFile | None:
         """The file of a name that was handed out before, or that is a file of the workspace."""
         return self._handed_out.get(name) or self._sources.named(name)

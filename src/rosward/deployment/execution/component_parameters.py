@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.deployment.execution.component_files import read_as_launch
 from rosward.deployment.execution.content import Content
 from rosward.deployment.execution.namespaces import full_name
 from rosward.deployment.execution.parameters import evaluate
@@ -22,16 +23,19 @@ from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Setting
 from rosward.deployment.tree import ParameterFile, ParameterSource, ParameterTable
 from rosward.domain.choice import join, options, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value
 from rosward.effects.configuration import Given
+from rosward.naming.command_line import type_word
+from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene
-    from rosward.source.location import Place
 
 _ALL: Final = "/**"
+_NOWHERE: Final = Place("", 0)
 
 
 @final
@@ -82,7 +86,7 @@ class ComponentParameters:
         self.settings.append(Setting("file", "", path, place=place))
         several = len(options(path)) > 1
         for option in options(path):
-            content = self._scene.generated.content(option, place)
+            content = self._content(option, place)
             if content.absent:
                 self._scene.fails(f"the parameter file {self._scene.files.show(option)} does not exist", place)
             elif content.rows is None:
@@ -90,6 +94,34 @@ class ComponentParameters:
                 self._unknown_rest((*reasons_of(option), reason)[-1])
             else:
                 self._from_rows(content.rows, several)
+
+    def _content(self, path: Value, place: Place) -> Content:
+        """What is behind a path, as launch reads it where its whole text is known; rcl tells where each value stands."""
+        content = self._scene.generated.content(path, place, as_text=True)
+        rows = (
+            read_as_launch(content.text, content.file)
+            if content.text is not None and content.rows is not None
+            else None
+        )
+        if rows is None:
+            return self._scene.generated.content(path, place)
+        places = {(key_path(row.node), row.name): row.place for row in content.rows or ()}
+        placed = (row._replace(place=places.get((key_path(row.node), row.name), row.place)) for row in rows)
+        return content._replace(rows=tuple(placed))
+
+    def _checked(self, row: Given) -> Value:
+        """A value that launch accepts: a list has items, all of one type."""
+        value = row.value
+        empty = isinstance(value, Const) and value.value is None
+        if not empty and not (
+            isinstance(value, Tuple) and len({type_word(i) for i in value.items if isinstance(i, Const)}) != 1
+        ):
+            return value
+        place = row.place or _NOWHERE
+        self._scene.fails(
+            f"the value of the parameter '{row.name}' is rejected: it is empty, or a list of several types", place
+        )
+        return Unknown((Reason(Cause.ERROR, f"the parameter '{row.name}'", place),))
 
     def _unknown_rest(self, reason: Reason) -> None:
         """A file that is not known may set any parameter, also those that were set before."""
@@ -106,7 +138,8 @@ class ComponentParameters:
                 continue
             old = self._rows.pop(row.name, None)
             doubtful = several or sure is None
-            value = join(old.value, row.value) if old is not None and doubtful else row.value
+            own_value = self._checked(row)
+            value = join(old.value, own_value) if old is not None and doubtful else own_value
             self._rows[row.name] = Given(_ALL, row.name, value, row.place)
 
     def _is_mine(self, node: str) -> bool | None:

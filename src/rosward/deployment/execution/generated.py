@@ -30,7 +30,7 @@ from rosward.domain.choice import join_all, lift, lift2, options, reasons_of
 from rosward.domain.compound import Tuple
 from rosward.domain.text import is_path, origins_of, parts_of, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Hole, Unknown, Value
+from rosward.domain.values import Const, Hole, Text, Unknown, Value
 from rosward.effects.configuration import Given
 from rosward.source.location import Place
 
@@ -44,6 +44,7 @@ MAX_WAYS: Final = 8
 MAX_FILES: Final = 2_000
 STEM: Final = "/tmp/launch_params_"
 """How the names of the files begin that launch writes."""
+_PUT: Final = "/tmp/launch_files_"
 _TOKEN: Final = "rosward_hole_"
 
 
@@ -65,6 +66,10 @@ class GeneratedFiles:
         self._files = files
         self._findings = findings
         self._made: dict[str, Content] = {}
+        self._paths = 0
+        self._put: dict[
+            str, Value | Content
+        ] = {}  # by path: the text that the launch files have written, its content once it was asked for
         self._read: dict[str, tuple[Content, tuple[Finding, ...]]] = {}
 
     def write(self, content: Content) -> Value:
@@ -74,9 +79,35 @@ class GeneratedFiles:
             self._made[path] = content
         return Const(path)
 
+    def new_path(self) -> Value:
+        """A path for what Python code of the launch writes, numbered instead of random."""
+        self._paths += 1
+        return Const(f"{_PUT}{self._paths}")
+
+    def put(self, path: Value, text: Value) -> None:
+        """Python code of the launch writes a file. Which one it is has to be known: whoever reads it by another path finds what was there before."""
+        for option in options(path):
+            if len(self._put) < MAX_FILES:
+                self._put[self._files.show(option)] = text if len(options(path)) == 1 else Unknown(reasons_of(path))
+
+    def _written(self, path: Value, place: Place) -> Content | None:
+        """What Python code of the launch has written into the file behind a path, if it has."""
+        known = plain_text(path) is not None or is_path(path)
+        name = self._files.show(path) if known else ""
+        found = self._put.get(name)
+        if found is None or isinstance(found, Content):
+            return found
+        whole = all(isinstance(o, Text) or (isinstance(o, Const) and isinstance(o.value, str)) for o in options(found))
+        reason = (*reasons_of(found), Reason(Cause.FILE, name, place))[0]
+        content = self._parsed([found], name, place) if whole else Content(None, file=name, reason=reason)
+        self._put[name] = content
+        return content
+
     def content(self, path: Value, place: Place, *, as_text: bool = False) -> Content:
         """The content of the file behind one path (not a Choice). `as_text`: what is wrong with it as parameters does not matter yet."""
         made = self._made.get(plain_text(path) or "")
+        if made is None and self._put:
+            made = self._written(path, place)
         if made is not None:
             return made
         file = self._files.find(path)

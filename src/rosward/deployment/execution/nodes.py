@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.deployment.execution.component_parameters import ComponentParameters
 from rosward.deployment.execution.namespaces import full_name, prefixed, scopes
 from rosward.deployment.execution.parameters import LaunchedParameters
+from rosward.deployment.execution.word_files import word_files
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import Component, NodeKind, StartNode, Template
@@ -93,6 +94,7 @@ def _node(action: StartNode, state: RosState, scene: Scene, at: At) -> Started:
     words = [scene.text(word) for word in action.arguments]
     if action.ros_arguments:
         words += [_ROS_ARGS, *(scene.text(word) for word in action.ros_arguments)]
+    own = word_files(words, scene, place)
     words.append(_ROS_ARGS)
     words += _identity(name, namespace)
     parameters = LaunchedParameters(scene, scopes(namespace, name), name)
@@ -105,8 +107,8 @@ def _node(action: StartNode, state: RosState, scene: Scene, at: At) -> Started:
         place=place,
         configuration=Configuration(
             words=tuple(words),
-            files=parameters.files,
-            missing=parameters.missing,
+            files={**own.files, **parameters.files},
+            missing={**own.missing, **parameters.missing},
             environment=environment(action.environment, action.replaces_environment, scene, place),
         ),
         package=_optional(action.package, scene),

@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.execution.nodes import At, environment
+from rosward.deployment.execution.word_files import word_files
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import StartProcess
@@ -98,11 +99,12 @@ def _process(
         kind, (package, executable) = StartKind.NODE, installed
     elif program in _PYTHON and len(words) > 1 and not (verb or "").startswith("-"):
         executable, rest = words[1], tuple(words[2:])
+    own = word_files(rest, scene, action.place)
     given = environment(action.environment, action.replaces_environment, scene, action.place)
     return Started(
         kind=kind,
         place=action.place,
-        configuration=Configuration(words=rest, environment=given),
+        configuration=Configuration(words=rest, files=own.files, missing=own.missing, environment=given),
         package=package,
         executable=executable,
         command=tuple(command),

@@ -135,6 +135,14 @@ class Scene:
         """Set an environment variable; None removes it."""
         self.context.set_variable(name, value)
 
+    def new_path(self) -> Value:
+        """A path at which there is no file yet."""
+        return self.generated.new_path()
+
+    def write_file(self, path: Value, text: Value) -> None:
+        """A file is written by the launch itself."""
+        self.generated.put(path, text)
+
     def given(self) -> Sequence[str]:
         """The launch arguments that the user gave, as words `name:=value` of the command line."""
         return self.words

@@ -25,7 +25,7 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.compound import BoundMethod, Partial
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import NONE, TRUE, UNBOUND, Const, Function, Hole, ModuleValue, Ref, Text, Unknown, Value
+from rosward.domain.values import NONE, TRUE, UNBOUND, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.effects.log import EffectLog
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget, LimitReachedError
@@ -248,11 +248,10 @@ class LaunchPython:
     def _give_arguments(self, given: Sequence[str], file: str) -> None:
         """`sys.argv` is that of `ros2 launch PACKAGE FILE name:=value …` with the first file that an execution reads."""
         machine = self._machine
-        prefix = Hole(machine.unknown(Cause.ARGUMENT, "sys.argv").reasons)
         package, path = machine.library.sources.shared(file) or ("", file)
         where = (Const(package), Const(path.rpartition("/")[2])) if package else (Const(path),)
         arguments = (Const(w, frozenset({_origin(w)})) for w in given)
-        words = (Text((prefix, "/bin/ros2")), Const("launch"), *where, *arguments)
+        words = (Const(*_PROGRAM), Const("launch"), *where, *arguments)
         machine.store_attr(machine.load_module("sys"), "argv", machine.new_list(words))
 
     def _place(self, value: Value) -> Place:
@@ -281,6 +280,10 @@ def _place_of(function: Value) -> Place | None:
     if isinstance(function, (BoundMethod, Partial)):
         return _place_of(function.function)
     return None
+
+
+_PROGRAM: Final = ("/opt/ros/distro/bin/ros2", frozenset({Origin("argument", "sys.argv[0]", settled=True)}))
+"""The first word: surely the path of a program and no `name:=value`, whatever it is."""
 
 
 def _origin(word: str) -> Origin:

@@ -118,6 +118,14 @@ class PerformedContext:
         """Whether an environment variable is surely not set."""
         return self.performer.removed(name)
 
+    def new_path(self) -> Value:
+        """A path at which there is no file yet."""
+        return self.performer.new_path()
+
+    def write_file(self, path: Value, text: Value) -> None:
+        """A file is written by the launch itself."""
+        self.performer.write_file(path, text)
+
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""
         self.performer.set_variable(name, value)

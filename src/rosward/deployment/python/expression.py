@@ -10,13 +10,14 @@ The expression is lowered and interpreted like any other program; what it may na
 from __future__ import annotations
 
 import ast
+import builtins
 import math
 import re
 from collections.abc import Sequence
 from itertools import count
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import lift, reasons_of
+from rosward.domain.choice import lift, options, reasons_of
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import is_path, make, origins_of, parts_of
@@ -72,6 +73,11 @@ class Expressions:
         value = self._run(lowered.code, module, turn, strings)
         if value is UNBOUND:
             return machine.unknown(Cause.ERROR, f"{whole.value[:80]!r} fails", "str")
+        missing = _missing(
+            names, {*strings, *(m.partition(".")[0] for m in modules), *(vars(math) if "math" in modules else ())}
+        )
+        if missing and any(isinstance(option, Unknown) for option in options(value)):
+            return machine.unknown(Cause.ERROR, f"name {missing} is not defined in {whole.value[:80]!r}", "str")
         return _marked(machine.call(_STR, (value,)), origins_of(text))
 
     def _run(self, code: Code, module: ModuleValue, turn: int, names: dict[str, Value]) -> Value:
@@ -130,13 +136,24 @@ class _Strings(ast.NodeTransformer):
         return ast.copy_location(ast.Name(name, ast.Load()), node)
 
 
+def _missing(names: set[str], known: set[str]) -> str:
+    """The first name of an expression that nothing defines: `true` of a condition, which Python does not know."""
+    return next((name for name in sorted(names - known) if not hasattr(builtins, name)), "")
+
+
 def _names(source: str) -> set[str] | None:
-    """The names that an expression uses; None where it is none."""
+    """The names that an expression reads and does not bind itself; None where it is none."""
     try:
         tree = ast.parse(source, mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None
-    return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    found = [node for node in ast.walk(tree) if isinstance(node, ast.Name | ast.arg)]
+    bound = {
+        n.arg if isinstance(n, ast.arg) else n.id
+        for n in found
+        if isinstance(n, ast.arg) or isinstance(n.ctx, ast.Store)
+    }
+    return {node.id for node in found if isinstance(node, ast.Name)} - bound
 
 
 def _marked(value: Value, origins: Origins) -> Value:

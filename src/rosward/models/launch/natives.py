@@ -246,6 +246,33 @@ def _set_variable(call: NativeCall) -> Value:
     return NONE
 
 
+def _write_file(call: NativeCall) -> Value:
+    """The text that a file of a known path holds now; nobody knows it where it is not known whether this runs."""
+    launch = _launch(call)
+    if launch is not None:
+        path, text = call.exactly(2)
+        sure = call.machine.is_sure
+        launch.write_file(path, text if sure else call.machine.unknown(Cause.FILE, readable(path), "str"))
+    return NONE
+
+
+def _temporary(call: NativeCall) -> Value:
+    """A path of `tempfile`: of its own for each call in a launch, unknown in any other program."""
+    launch = _launch(call)
+    if launch is None:
+        return call.machine.unknown(Cause.RANDOM, call.name, "str")
+    return Const("/tmp") if call.name.endswith("gettempdir") else launch.new_path()
+
+
+def _temporary_file(call: NativeCall) -> Value:
+    """NamedTemporaryFile, which is written as text or not at all."""
+    launch = _launch(call)
+    if launch is None:
+        return call.machine.unknown(Cause.CALL, call.name)
+    opened = call.machine.load_attr(call.machine.load_module("_opened"), "WrittenFile")
+    return call.machine.call(opened, (launch.new_path(),))
+
+
 def _folder(cause: Cause) -> NativeFunction:
     """Where a package is installed: unknown, and known to be that of the package."""
 
@@ -281,6 +308,9 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.launch.variable": _variable,
     "_rosward.launch.removed": _removed,
     "_rosward.launch.set_variable": _set_variable,
+    **dict.fromkeys(("tempfile.mkdtemp", "tempfile.gettempdir", "tempfile.mktemp"), _temporary),
+    "tempfile.NamedTemporaryFile": _temporary_file,
+    "_rosward.launch.write_file": _write_file,
     "_rosward.launch.share_folder": _folder(Cause.SHARE),
     "_rosward.launch.prefix_folder": _folder(Cause.PREFIX),
     "_rosward.launch.is_package": _is_package,

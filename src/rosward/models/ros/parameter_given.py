@@ -89,11 +89,23 @@ def given_wrongly(
     override = override_of(machine, node, label) if ignored == FALSE and typed and label else None
     if override is None:
         return None
-    declared, given = type_word(default) or type_label(machine, type_).lower(), type_word(override)
+    empty = machine.language_name == PYTHON and _is_empty(machine, default)
+    declared = "byte_array" if empty else _type_of(machine, default) or type_label(machine, type_).lower()
+    given = _type_of(machine, override)
     if not declared or not given or declared == given or "not_set" in (declared, given):
         return None
     message = f"parameter {label!r} is declared as {declared} but set to a value of type {given}"
     return table.raise_(machine, "InvalidParameterTypeException", message, name, Const(declared))
+
+
+def _type_of(machine: Machine, value: Value) -> str | None:
+    """rcl's word for the type of a value, None where it is not known."""
+    if not isinstance(value, (Ref, Tuple)) or machine.language_name != PYTHON:
+        return type_word(value)
+    if isinstance(value, Ref) and machine.obj(value).kind != "list":
+        return None
+    items, rest = machine.iterate(value)
+    return type_word(Tuple(tuple(items))) if rest is None else None
 
 
 def unread_files(machine: Machine, node: Value) -> tuple[Reason, ...]:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A file of the analysed packages that `open` has opened to be read as text (models/python/std/files.py)."""
 from _rosward import reads_only, unknown
+from _rosward.launch import write_file
 
 class TextFile:
     """`_left` is what is still to be read."""
@@ -63,3 +64,38 @@ class BinaryFile(TextFile):
         lines = self._left.splitlines(True)
         self._left = b''.join(lines[1:])
         return lines[0] if lines else b''
+
+class WrittenFile:
+    """A file that Python code of a launch file writes. What it holds is known at once, not only when it is closed."""
+    closed = False
+    mode = 'w'
+    encoding = 'utf-8'
+    def __init__(self, name):
+        self.name = name
+        self._whole = ''
+        write_file(name, '')
+    def write(self, text):
+        self._whole += text.decode() if isinstance(text, bytes) else text
+        write_file(self.name, self._whole)
+        return len(text)
+    def writelines(self, lines):
+        self.write(''.join(lines))
+    def read(self, size=-1):
+        return unknown('file', self.name, 'str')
+    def seek(self, offset, whence=0):
+        self._whole = unknown('file', self.name, 'str')
+        return offset
+    def truncate(self, size=None):
+        self._whole = unknown('file', self.name, 'str')
+    def __enter__(self):
+        return self
+    @reads_only
+    def __exit__(self, kind, value, trace) -> None: ...
+    @reads_only
+    def close(self): ...
+    @reads_only
+    def flush(self): ...
+    @reads_only
+    def fileno(self) -> int: ...
+    def writable(self):
+        return True

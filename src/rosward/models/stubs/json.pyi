@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`json`: text that stands in the program is read, files are not (models/python/std/data.py)."""
 
+from _opened import WrittenFile
 from _rosward import ask, pure, reads_only, sink, unknown
 
 import json
@@ -18,6 +19,9 @@ class JSONDecodeError(ValueError):
 @sink("file")
 def dump(obj, fp, *, skipkeys=False, ensure_ascii=True, check_circular=True, allow_nan=True, cls=None, indent=None, separators=None,
          default=None, sort_keys=False, **kw):
+    if isinstance(fp, WrittenFile):
+        fp.write(json.dumps(obj) if cls is None and default is None else json.dumps(obj, cls=cls, default=default))
+        return
     text = json.dumps(obj, cls=cls, default=default)
     ask(fp, 'write', unknown('call', 'text that a library writes', 'str'))
 

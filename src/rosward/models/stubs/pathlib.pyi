@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`pathlib`: a path is its text."""
 from _rosward import native, reads_only, sink, source, unknown
+from _rosward.launch import write_file
 import os
 
 @native
@@ -133,9 +134,10 @@ class Path(PurePath):
     @source("file")
     def read_bytes(self):
         return unknown('file', self._text, 'bytes')
-    @reads_only
     @sink("file")
-    def write_text(self, data, encoding=None, errors=None, newline=None) -> int: ...
+    def write_text(self, data, encoding=None, errors=None, newline=None):
+        write_file(self._text, data)
+        return len(data)
     @reads_only
     @sink("file")
     def write_bytes(self, data) -> int: ...

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """PyYAML: text that stands in the program is read, files are not (models/python/std/data.py)."""
 
+from _opened import WrittenFile
 from _rosward import ask, native, reads_only, sink, unknown
 
 reads_only(__name__)
@@ -29,18 +30,21 @@ class Dumper(_Dumper): ...
 @native
 def _dumped(data, **options): ...
 
-def _written(stream):
+def _written(stream, text=None):
+    if isinstance(stream, WrittenFile) and text is not None:
+        stream.write(text)
+        return
     ask(stream, 'write', unknown('call', 'text that a library writes', 'str'))
 @sink("file")
 def dump(data, stream=None, *args, **kwds):
     if stream is None:
-        return _dumped(data, *args, **kwds)
-    _written(stream)
+        return _dumped(data, **kwds, **({'Dumper': args[0]} if args else {}))
+    _written(stream, _dumped(data, **kwds, **({'Dumper': args[0]} if args else {})) if isinstance(stream, WrittenFile) else None)
 @sink("file")
 def safe_dump(data, stream=None, *args, **kwds):
     if stream is None:
-        return _dumped(data, *args, **kwds)
-    _written(stream)
+        return _dumped(data, **kwds, **({'Dumper': args[0]} if args else {}))
+    _written(stream, _dumped(data, **kwds, **({'Dumper': args[0]} if args else {})) if isinstance(stream, WrittenFile) else None)
 @sink("file")
 def dump_all(documents, stream=None, *args, **kwds):
     if stream is None:

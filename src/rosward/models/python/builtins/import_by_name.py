@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Imports by a name that the program computes: followed where the name is known, told (RW203) where it is not.
+"""Imports by a name or a path that the program computes: followed where it is known, told (RW203) where it is not.
 
 importlib.import_module('.lidar', package=__package__)     demo.drivers.lidar, where the package is demo.drivers
 __import__('demo.lidar')                                   demo: without `fromlist` the uppermost package
+spec_from_file_location('lib', SHARE + '/launch/lib.py')   the module of that file, apart from the one that an import by name finds
 """
 
 from __future__ import annotations
 
 from typing import Final
 
+from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
+from rosward.domain.text import readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, UNBOUND, Const, Value
+from rosward.models.file_paths import location_of
 from rosward.models.native import NativeCall, NativeFunction
 
 
@@ -73,6 +77,23 @@ def _import(call: NativeCall) -> Value:
     return join_all(found)
 
 
+def _at_path(call: NativeCall) -> Value:
+    """`importlib.machinery._module_at(name, path)`: the module of a file of the sources, loaded by its path."""
+    name, paths = call.exactly(2)
+    found = [_of_file(call, text_of(name, "module"), path) for path in options(paths)]
+    return join_all(found)
+
+
+def _of_file(call: NativeCall, name: str, path: Value) -> Value:
+    location = location_of(path)
+    file = call.machine.files.name_of(*location) if location is not None else None
+    module = None if file is None else call.machine.load_file(file, name)
+    if module is not None:
+        return module
+    call.machine.report("RW203", f"the module at {readable(path)} runs code that is not analysed")
+    return call.machine.unknown(Cause.MODULE, name)
+
+
 def _entry_points(call: NativeCall) -> Value:
     """`importlib.metadata.entry_points(…)`: what packages have registered, and what is loaded by it."""
     call.machine.report("RW203", "what the entry points of installed packages load is not analysed")
@@ -88,6 +109,7 @@ def _reload(call: NativeCall) -> Value:
 NATIVES: Final[dict[str, NativeFunction]] = {
     "importlib.import_module": _import_module,
     "importlib.reload": _reload,
+    "importlib.machinery._module_at": _at_path,
     "builtins.__import__": _import,
     "importlib.metadata.entry_points": _entry_points,
     "importlib_metadata.entry_points": _entry_points,

@@ -150,26 +150,43 @@ def _hooked(call: NativeCall) -> bool:
 
 
 def _dumps(call: NativeCall) -> Value:
-    """json.dumps / yaml.dump of what is known; else an unknown text."""
+    """json.dumps of what is known; else an unknown text."""
     if _hooked(call):
         return unknown_from(call, "str", call.args)
     try:
         value, origins = to_plain(call.machine, call.args[0])
         options = {k: to_plain(call.machine, v)[0] for k, v in call.keywords.items()}
-        if len(call.args) > 1 or not options.keys() <= {
-            "indent",
-            "sort_keys",
-            "ensure_ascii",
-            "separators",
-            "default_flow_style",
-        }:
+        if len(call.args) > 1 or not options.keys() <= {"indent", "sort_keys", "ensure_ascii", "separators"}:
             raise NotKnown
-        dump: Callable[..., str] = json.dumps if call.name.startswith("json") else yaml.safe_dump
+        dump: Callable[..., str] = json.dumps
         return Const(dump(value, **options), origins)
     except NotKnown:
         return unknown_from(call, "str", call.args)
-    except (IndexError, TypeError, ValueError, yaml.YAMLError, RecursionError) as error:
+    except (IndexError, TypeError, ValueError, RecursionError) as error:
         return call.machine.die("TypeError", f"{call.name}: {error}")
+
+
+_WAYS: Final = frozenset({"allow_unicode", "default_flow_style", "indent", "sort_keys", "width"})
+"""What says how YAML is written, and takes plain values."""
+
+
+def _dumped(call: NativeCall) -> Value:
+    """`yaml._dumped(data, options)`: the text that yaml.dump makes of what is known; else an unknown one."""
+    try:
+        value, origins = to_plain(call.machine, call.args[0])
+        given, others = to_plain(call.machine, call.args[1])
+        if not isinstance(given, dict) or not given.keys() <= _WAYS or _has_tuple(value):
+            raise NotKnown
+        return Const(yaml.safe_dump(value, **given), origins | others)
+    except (NotKnown, TypeError, ValueError, yaml.YAMLError, RecursionError):
+        return unknown_from(call, "str", call.args)
+
+
+def _has_tuple(value: object) -> bool:
+    """Whether there is a tuple in it, which yaml.dump and yaml.safe_dump write in different ways."""
+    if isinstance(value, dict):
+        return any(_has_tuple(each) for pair in value.items() for each in pair)
+    return isinstance(value, tuple) or (isinstance(value, list) and any(map(_has_tuple, value)))
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
@@ -186,5 +203,5 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "yaml.unsafe_load": _reader(_yaml, "stream"),
     "yaml.safe_load_all": _all_documents,
     "yaml.load_all": _all_documents,
-    "yaml._dumped": _dumps,
+    "yaml._dumped": _dumped,
 }

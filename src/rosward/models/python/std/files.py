@@ -22,6 +22,8 @@ from rosward.models.python.plain import FILE_HINT, text_of
 from rosward.models.python.std.paths import as_text
 
 _READING: Final = frozenset({"r", "rt", "tr", "rb", "br"})
+_WRITING: Final = frozenset({"w", "wt", "tw", "w+", "w+t", "wb", "bw", "w+b", "wb+"})
+"""How `open` begins a file anew."""
 _MAGIC: Final = frozenset("*?[")
 
 
@@ -45,9 +47,18 @@ def _open(call: NativeCall) -> Value:
 
     def one(path: Value) -> Value:
         text = _text(call, path) if mode in _READING else None
+        opened = call.machine.load_module("_opened")
+        if (
+            call.machine.log.launch is not None
+            and mode not in _READING
+            and (isinstance(path, Const) or location_of(path))
+        ):
+            if mode in _WRITING:
+                return call.machine.call(call.machine.load_attr(opened, "WrittenFile"), (path,))
+            unknown = call.machine.unknown(Cause.FILE, readable(path), "str")
+            call.machine.call_native("_rosward.launch.write_file", (path, unknown))
         if text is None:
             return call.machine.unknown(Cause.FILE, readable(path), FILE_HINT)
-        opened = call.machine.load_module("_opened")
         if mode is not None and "b" in mode:
             data = Const(str(text.value).encode("utf-8", "surrogateescape"), text.origins)
             return call.machine.call(call.machine.load_attr(opened, "BinaryFile"), (data, path))

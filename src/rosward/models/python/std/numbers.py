@@ -178,7 +178,7 @@ _VARYING: Final = {
     "str": """platform.node platform.platform platform.system platform.machine platform.release platform.version
         platform.processor platform.python_version socket.gethostname socket.getfqdn socket.gethostbyname
         getpass.getuser
-        time.ctime time.strftime time.asctime tempfile.mkdtemp tempfile.gettempdir tempfile.mktemp secrets.token_hex
+        time.ctime time.strftime time.asctime secrets.token_hex
         secrets.token_urlsafe locale.setlocale numpy.datetime64""",
     "float": """random.random random.uniform random.gauss random.normalvariate random.triangular random.betavariate
         random.expovariate time.time time.monotonic time.perf_counter time.process_time time.thread_time time.mktime

@@ -152,8 +152,6 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     **{f"os.exec{suffix}": _exec for suffix in ("l", "le", "lp", "lpe", "v", "ve", "vp", "vpe")},
     "runpy.run_path": _made_at_run_time,
     "runpy.run_module": _made_at_run_time,
-    "importlib.util.spec_from_file_location": _made_at_run_time,
-    "importlib.machinery.SourceFileLoader": _made_at_run_time,
     **dict.fromkeys(_FILES_AS_LIST, _listing),
     "os.getcwd": _input(Cause.LIVE, "str", "current directory"),
     "select.select": _input(Cause.INPUT, "tuple"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`importlib`: modules by their names, see models/python/builtins/import_by_name.py. Its other modules have no model."""
+"""`importlib`: modules by their names, see models/python/builtins/import_by_name.py. Of its other modules, `machinery`, `resources` and `util` have models."""
 from _rosward import native, reads_only
 
 @native

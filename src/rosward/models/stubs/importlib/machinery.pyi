@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`importlib.machinery`: what loads the module of a file. Read in CPython 3.13, `Lib/importlib/_bootstrap_external.py`."""
+import os
+from _rosward import native, reads_only
+
+@native
+def _module_at(name, path): ...
+
+class ModuleSpec:
+    submodule_search_locations = None
+    def __init__(self, name, loader, *, origin=None, loader_state=None, is_package=None):
+        self.name = name
+        self.loader = loader
+        self.origin = origin
+class SourceFileLoader:
+    def __init__(self, fullname, path):
+        self.name = fullname
+        self.path = os.fspath(path)
+    def load_module(self, fullname=None):
+        return _module_at(self.name, self.path)
+    @reads_only
+    def exec_module(self, module) -> None: ...
+    @reads_only
+    def create_module(self, spec) -> None: ...
