@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Final
 
 import pytest
-from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import HealthCheck, assume, example, given, settings
 from hypothesis import strategies as st
 from laws import examples
 
@@ -117,6 +117,7 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.skipif(shutil.which("git") is None, reason="needs git")
 @settings(max_examples=examples(2.4), deadline=None, suppress_health_check=list(HealthCheck))
 @given(pattern=PATTERNS)
+@example(pattern="a/**")
 def test_a_pattern_means_what_git_takes_it_for(tree: Path, pattern: str) -> None:
     """Left out: `//` and `./`, which mean nothing to git, and stars that git takes for folders behind a text (`a**/`)."""
     parts = pattern.split("/")

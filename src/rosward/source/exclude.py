@@ -104,9 +104,10 @@ def _compiled(exclusion: Exclusion) -> _Compiled:
     text = exclusion.pattern
     names = [part for part in text.split("/") if part not in ("", ".")]
     while len(names) > 1 and names[-1] == "**":
-        names.pop()  # all that is in a folder is the folder
-        if text.endswith("/") and names[-1] != "**":
-            names.append("*")  # but each folder that is in it is not
+        names.pop()
+        if names[-1] != "**":
+            names.append("*")  # all that is in a folder, but not what has its name
+            break
     anchored = "/" in text.rstrip("/")
     names = names if anchored or names[0] == "**" else ["**", *names]
     names = [
