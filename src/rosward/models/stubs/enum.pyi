@@ -30,11 +30,11 @@ class ReprEnum(Enum):
     def __str__(self):
         return str(self._value_)
     def __format__(self, spec):
-        return format(self._value_, spec)
-class IntEnum(ReprEnum):
+        return format(self._value_, spec) if spec else str(self)
+class IntEnum(ReprEnum, int):
     def __str__(self):
         return str(self._value_)
-class StrEnum(ReprEnum):
+class StrEnum(ReprEnum, str):
     def __str__(self):
         return self._value_
 @reads_only
@@ -48,7 +48,7 @@ class Flag(Enum):
         return other._value_ & self._value_ == other._value_
     def __invert__(self): ...
 @reads_only
-class IntFlag(ReprEnum, Flag):
+class IntFlag(ReprEnum, Flag, int):
     def __contains__(self, other):
         return Flag.__contains__(self, other)
     def __invert__(self) -> int: ...

@@ -100,7 +100,7 @@ def _look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
         candidates = [k for k, answer in alike.items() if answer is not False]
         if len(candidates) == 1 and alike[candidates[0]] and candidates[0] not in obj.maybe:
             return LookUp(obj.entries[candidates[0]], False)
-    elif key is None:
+    elif key is None or (present is None and compares(machine, key)):
         candidates = [k for k in obj.entries if equal(machine, k, index) is not False]
     values = [obj.entries[k] for k in candidates]
     if obj.rest is not None and (obj.rest_key is None or equal(machine, obj.rest_key, index) is not False):
@@ -182,7 +182,7 @@ def take(machine: Machine, ref: Ref, index: Value) -> LookUp:
         entries = {k: v for k, v in obj.entries.items() if k != present}
         _gone(machine, obj, present)
         machine.update(ref, obj.replace(entries=entries, maybe=obj.maybe - {present}))
-    elif key is None:
+    elif key is None or compares(machine, key):
         doubtful = {k for k in obj.entries if equal(machine, k, index) is not False}
         machine.update(ref, obj.replace(maybe=obj.maybe | doubtful))
     return found
