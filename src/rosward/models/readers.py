@@ -35,11 +35,12 @@ _WRITE: Final = frozenset(
 """The last words of the names of those that change it all the same."""
 
 _FOREIGN: Final = _READ | {
-    "can", "serial", "smbus", "smbus2", "RPi", "selectors", "selectors2", "asyncio", "threading", "socket", "ros2node",
-    "ros2topic", "ros2service", "ros2action",
+    "can", "serial", "smbus", "smbus2", "RPi", "selectors", "selectors2", "asyncio", "threading", "socket",
 }  # fmt: skip
-"""Libraries that create nothing on a node that they get hold of: they know nothing of ROS, or only ask the graph."""
+"""Libraries that create nothing on a node that they get hold of: they know nothing of ROS."""
 
+_ASK: Final = tuple(f"{package}.api." for package in ("ros2node", "ros2topic", "ros2service", "ros2action"))
+"""Modules whose functions only ask the graph. Others of these packages create something: `ros2topic.verb.pub.publisher(node, …)`."""
 
 _IN_CPP: Final = re.compile(
     r"(?:Q(?!\w*(?:Node|Ros|ROS))[A-Z]\w*|Ui)(?:\.|$)"
@@ -51,7 +52,9 @@ _IN_CPP: Final = re.compile(
 
 def creates_nothing(callee: Value) -> bool:
     """Whether it is known of what is called that it creates nothing on a node."""
-    return all(name.partition(".")[0] in _FOREIGN or _IN_CPP.match(name) for name in _dotted(callee))
+    return all(
+        name.partition(".")[0] in _FOREIGN or name.startswith(_ASK) or _IN_CPP.match(name) for name in _dotted(callee)
+    )
 
 
 def only_reads(callee: Value) -> bool:
