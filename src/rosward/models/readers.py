@@ -9,6 +9,7 @@ bus.readinto(self.buf)           not known, so it may change
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import Final
 
 from rosward.domain.compound import External, Native
@@ -57,6 +58,12 @@ def creates_nothing(callee: Value) -> bool:
     )
 
 
+def decisive(bases: Iterable[Value]) -> Value | None:
+    """Of the bases of a class that are not known, the one that says what may be created: Qt hands on to the next base what it does not take."""
+    outside = [base for base in bases if isinstance(base, (External, Unknown))]
+    return next((base for base in outside if not creates_nothing(base)), outside[0] if outside else None)
+
+
 def only_reads(callee: Value) -> bool:
     """Whether it is known of what is called that it changes nothing: what a message holds is plain data, so nothing of it does."""
     if isinstance(callee, Unknown) and callee.reasons and all(r.cause is Cause.MESSAGE for r in callee.reasons):
@@ -79,5 +86,7 @@ def _dotted(callee: Value) -> list[str]:
             return [subject]
         if cause is Cause.MODULE:
             modules, _, name = subject.rpartition(": ")
-            return [f"{module}.{name}" for module in modules.split(" or ")] if modules else [name]
+            if modules:
+                return [f"{module}.{name}" for module in modules.split(" or ")]
+            return [name] if "." in name else [""]  # the name of an attribute alone says nothing of a library
     return [""]
