@@ -61,8 +61,6 @@ def compares(machine: Machine, value: Value) -> bool:
 def has_equality(machine: Machine, cls: Value) -> bool:
     """Whether a class, or one above it, has an `__eq__` in the program, or is one of `Literal[…]` and the like."""
     return isinstance(cls, Class) and any(
-        isinstance(b, Class)
-        and (not b.stub or b.module == "typing")
-        and "__eq__" in machine.obj(Ref(b.address)).attrs
+        isinstance(b, Class) and (not b.stub or b.module == "typing") and "__eq__" in machine.obj(Ref(b.address)).attrs
         for b in cls.mro
     )

@@ -172,7 +172,9 @@ def _texts(call: NativeCall, value: Value | None) -> tuple[str, ...]:
 def _held(call: NativeCall, cls: Class, data: str, value: Value) -> tuple[Value | None, Value]:
     """The str or number that a member is, if it is one, and its `_value_`: `A = True` in an IntEnum is 1."""
     machine = call.machine
-    if _hook(call, cls, "__new__") is not None:  # it makes the object, and sets `_value_`, in a way that is not followed
+    if (
+        _hook(call, cls, "__new__") is not None
+    ):  # it makes the object, and sets `_value_`, in a way that is not followed
         unknown = machine.unknown(Cause.CALL, f"{cls.name}.__new__")
         return machine.unknown(Cause.CALL, f"{cls.name}.__new__", data) if data else None, unknown
     if not data:
