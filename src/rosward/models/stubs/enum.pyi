@@ -27,6 +27,10 @@ class Enum:
         return '<' + type(self).__name__ + '.' + self._name_ + ': ' + repr(self._value_) + '>'
     @reads_only
     def __hash__(self) -> int: ...
+    def __copy__(self):
+        return self
+    def __deepcopy__(self, memo):
+        return self
     def __format__(self, spec):
         if not _since('jazzy') and isinstance(self, (int, str, float, bytes)) and type(self).__str__ in _SHOW:
             return format(self._value_, spec)

@@ -55,6 +55,8 @@ def find(machine: Machine, obj: Obj, key: Value) -> Value | None:
     number = member_value(machine, key)
     if number is not None:
         return find(machine, obj, number)
+    if isinstance(key, Ref) and _by_content(machine, key):
+        return next((k for k in obj.entries if isinstance(k, (Ref, Tuple)) and equal(machine, k, key)), None)
     if isinstance(key, Const):
         for other in obj.entries:
             if (
@@ -87,13 +89,18 @@ def look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
     return LookUp(with_origins(value, origins(index)), missing.pop() if len(missing) == 1 else None)
 
 
+def _by_content(machine: Machine, key: Ref | Tuple) -> bool:
+    """Whether another object may be the same key by what it holds: a tuple, a named one, a frozenset."""
+    return row_of(machine, key) is not None or (isinstance(key, Ref) and machine.obj(key).kind == "set")
+
+
 def _look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
     key = key_of(index)
     present = find(machine, obj, key) if key is not None else None
     if present is not None and present not in obj.maybe:
         return LookUp(obj.entries[present], False)
     candidates = [present] if present is not None else []
-    if present is None and isinstance(key, (Ref, Tuple)) and row_of(machine, key) is not None:
+    if present is None and isinstance(key, (Ref, Tuple)) and _by_content(machine, key):
         alike: dict[Value, bool | None] = {
             k: equal(machine, k, key) for k in obj.entries if isinstance(k, (Ref, Tuple))
         }
