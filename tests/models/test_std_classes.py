@@ -146,8 +146,12 @@ def test_functional_form(machine: FakeMachine) -> None:
 
 def test_auto(machine: FakeMachine) -> None:
     one, two, three = (External(f"enum.auto() {number}") for number in range(3))  # each call of auto() is another
-    for base, expected in (("Enum", [1, 2, 4, 5]), ("Flag", [1, 2, 4, 8]), ("StrEnum", ["a", "b", 4, "d"])):
-        cls = enum(machine, base, A=one, B=two, C=Const(4), D=three, E=one)
+    for base, given, expected in (
+        ("Enum", 4, [1, 2, 4, 5]),
+        ("Flag", 4, [1, 2, 4, 8]),
+        ("StrEnum", "four", ["a", "b", "four", "d"]),
+    ):
+        cls = enum(machine, base, A=one, B=two, C=Const(given), D=three, E=one)
         members = machine.iterate(machine.native("enum.iterate", cls)).known
         assert [machine.plain(machine.load_attr(m, "value")) for m in members] == expected
 

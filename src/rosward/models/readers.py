@@ -9,6 +9,7 @@ bus.readinto(self.buf)           not known, so it may change
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import Final
 
 from rosward.domain.compound import External, Native
@@ -35,11 +36,12 @@ _WRITE: Final = frozenset(
 """The last words of the names of those that change it all the same."""
 
 _FOREIGN: Final = _READ | {
-    "can", "serial", "smbus", "smbus2", "RPi", "selectors", "selectors2", "asyncio", "threading", "socket", "ros2node",
-    "ros2topic", "ros2service", "ros2action",
+    "can", "serial", "smbus", "smbus2", "RPi", "selectors", "selectors2", "asyncio", "threading", "socket",
 }  # fmt: skip
-"""Libraries that create nothing on a node that they get hold of: they know nothing of ROS, or only ask the graph."""
+"""Libraries that create nothing on a node that they get hold of: they know nothing of ROS."""
 
+_ASK: Final = tuple(f"{package}.api." for package in ("ros2node", "ros2topic", "ros2service", "ros2action"))
+"""Modules whose functions only ask the graph. Others of these packages create something: `ros2topic.verb.pub.publisher(node, …)`."""
 
 _IN_CPP: Final = re.compile(
     r"(?:Q(?!\w*(?:Node|Ros|ROS))[A-Z]\w*|Ui)(?:\.|$)"
@@ -51,7 +53,15 @@ _IN_CPP: Final = re.compile(
 
 def creates_nothing(callee: Value) -> bool:
     """Whether it is known of what is called that it creates nothing on a node."""
-    return all(name.partition(".")[0] in _FOREIGN or _IN_CPP.match(name) for name in _dotted(callee))
+    return all(
+        name.partition(".")[0] in _FOREIGN or name.startswith(_ASK) or _IN_CPP.match(name) for name in _dotted(callee)
+    )
+
+
+def decisive(bases: Iterable[Value]) -> Value | None:
+    """Of the bases of a class that are not known, the one that says what may be created: Qt hands on to the next base what it does not take."""
+    outside = [base for base in bases if isinstance(base, (External, Unknown))]
+    return next((base for base in outside if not creates_nothing(base)), outside[0] if outside else None)
 
 
 def only_reads(callee: Value) -> bool:
@@ -76,5 +86,7 @@ def _dotted(callee: Value) -> list[str]:
             return [subject]
         if cause is Cause.MODULE:
             modules, _, name = subject.rpartition(": ")
-            return [f"{module}.{name}" for module in modules.split(" or ")] if modules else [name]
+            if modules:
+                return [f"{module}.{name}" for module in modules.split(" or ")]
+            return [name] if "." in name else [""]  # the name of an attribute alone says nothing of a library
     return [""]

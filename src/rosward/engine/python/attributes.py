@@ -27,6 +27,7 @@ from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.builtins.attributes import may_hide
 from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
 from rosward.models.python.std.annotations import of_class as annotated
+from rosward.models.readers import decisive
 from rosward.models.ros import message_fields
 from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
 
@@ -231,8 +232,8 @@ def _missing(machine: Engine, ref: Ref, cls: Value, name: str) -> Value:
     if of_nodes is not None:
         machine.log.assumed_node(machine, ref, outside[0])
         return of_nodes
-    if outside:
-        base = outside[0]
+    base = decisive(outside)
+    if base is not None:
         subject = f"{base.name}.{name}" if base.__class__ is External else name
         return machine.unknown(Cause.MODULE, subject)
     if any(b.__class__ is Class and may_hide(machine, b, name) for b in cls.mro):
@@ -317,7 +318,8 @@ def _of_super(machine: Engine, value: Super, name: str) -> Value:
     if name == "__class__":
         return Native("builtins.super")
     perhaps: Value = UNBOUND
-    for base in mro[mro.index(value.after) + 1 :] if value.after in mro else ():
+    behind = mro[mro.index(value.after) + 1 :] if value.after in mro else ()
+    for number, base in enumerate(behind):
         if base.__class__ is Class:
             record = machine.at(base.address)
             found = record.attrs.get(name)
@@ -326,10 +328,11 @@ def _of_super(machine: Engine, value: Super, name: str) -> Value:
                 if name not in record.partial:
                     return join(perhaps, bound)
                 perhaps = join(perhaps, bound)  # where this class has none, that of the next one
-        elif base.__class__ is External:
-            return join(perhaps, Partial(External(f"{base.name}.{name}"), (), ()))
-        elif base.__class__ is Unknown:
-            return join(perhaps, Unknown(base.reasons))
+        elif base.__class__ in (External, Unknown):
+            outside = decisive(behind[number:])
+            if outside.__class__ is Unknown:
+                return join(perhaps, Unknown(outside.reasons))
+            return join(perhaps, Partial(External(f"{getattr(outside, 'name', '')}.{name}"), (), ()))
         elif base.__class__ is Native:
             if base.name == "builtins.type" and name in _OF_TYPE:
                 made = Native(f"type.{name}")

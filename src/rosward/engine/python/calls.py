@@ -29,6 +29,7 @@ from rosward.ir.ops import Argument
 from rosward.models.python.containers.dicts import is_mapping
 from rosward.models.python.contents import bare
 from rosward.models.python.exceptions import is_exception
+from rosward.models.python.operators.equal_objects import member_value
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
@@ -75,10 +76,11 @@ def _spread(machine: Engine, value: Value, keywords: Keywords) -> list[Value]:
         if option.__class__ is Ref and machine.obj(option).kind == "dict":
             obj = machine.obj(option)
             table: Keywords = {}
-            for key, item in obj.entries.items():
+            for written, item in obj.entries.items():
+                key = member_value(machine, written) or written
                 if key.__class__ is Const and isinstance(key.value, str):
                     table[key.value] = item
-                    if key in obj.maybe:
+                    if written in obj.maybe:
                         unsure.add(key.value)
                 else:
                     loose.append(item)

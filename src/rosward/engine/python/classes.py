@@ -19,7 +19,7 @@ from rosward.engine.python.own_methods import own_methods
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
 from rosward.models.python.exceptions import builtin_base, own_class
-from rosward.models.readers import creates_nothing
+from rosward.models.readers import creates_nothing, decisive
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -296,7 +296,8 @@ def _initialise(machine: Engine, cls: Class, ref: Ref, args: tuple[Value, ...], 
                 start = members.bind(machine, found, ref, cls) if found.__class__ is Ref else BoundMethod(ref, found)
                 return machine.call(start, args, keywords)
         elif base.__class__ in (External, Unknown):
-            machine.escape((*args, *keywords.values()), name_of(base), base)
+            outside = decisive(cls.mro) or base
+            machine.escape((*args, *keywords.values()), name_of(outside), outside)
             hidden_fields.give(machine, cls, ref, args, keywords)
             return ref
         else:

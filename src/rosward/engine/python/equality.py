@@ -30,7 +30,7 @@ from rosward.engine.python.specials import one_has, special
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
 from rosward.models.python.operators.equal_objects import compares
-from rosward.models.ros.interfaces import is_known_interface, same_interface
+from rosward.models.ros.interfaces import NO_INTERFACE, is_known_interface, same_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -187,10 +187,6 @@ def _plain(machine: Engine, value: Value) -> bool:
     return value.__class__ is Const or (value.__class__ is Ref and machine.obj(value).kind in ("list", "dict", "set"))
 
 
-_NO_INTERFACE: Final = (Class, Const, Function, Native, Text, Tuple)
-"""What the class of an interface never is."""
-
-
 def _same(machine: Engine, left: Value, right: Value) -> bool | None:
     """Whether both are one object; None where that is not known."""
     if left.__class__ is Ref and right.__class__ is Ref:
@@ -202,7 +198,7 @@ def _same(machine: Engine, left: Value, right: Value) -> bool | None:
             return True if left == right else same_interface(machine, left, right)
         external, other = (left, right) if left.__class__ is External else (right, left)
         apart = _is_private(machine, other) or (
-            other.__class__ in _NO_INTERFACE and is_known_interface(machine, external)
+            isinstance(other, (*NO_INTERFACE, Ref)) and is_known_interface(machine, external)
         )
         return False if external.__class__ is External and apart else None
     if left.__class__ is Const and right.__class__ is Const:

@@ -10,12 +10,14 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from rosward.domain.compound import External
-from rosward.domain.values import Value
+from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.values import Class, Const, Function, Text, Value
 from rosward.models.native import Machine
 from rosward.records import NamedTuple
 from rosward.source.definitions import PARTS
 
+NO_INTERFACE: Final = (Class, Const, Function, Native, Text, Tuple)
+"""What the class of an interface never is, nor is equal to."""
 INTERFACE_NAMES: Final = frozenset({"__name__", "__qualname__", "__module__"})
 _WORD: Final = re.compile(r"(.)([A-Z][a-z]+)")
 _CAPITAL: Final = re.compile(r"([a-z0-9])([A-Z])")

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`enum`: see models/python/std/enums.py for how members are made and found."""
+"""`enum`: see models/python/std/enums.py for how members are made and found. Up to Python 3.10, of humble and iron, they are written otherwise."""
 from _rosward import native, reads_only
 
 @native
 def _make_class(base, name, names, kind, start): ...
 
+@native
+def _since(distro) -> bool:
+    """Whether the analysis is for `distro` or a later one."""
 @native
 def auto(value=None): ...
 def unique(enumeration):
@@ -24,17 +27,23 @@ class Enum:
         return '<' + type(self).__name__ + '.' + self._name_ + ': ' + repr(self._value_) + '>'
     @reads_only
     def __hash__(self) -> int: ...
+    def __copy__(self):
+        return self
+    def __deepcopy__(self, memo):
+        return self
     def __format__(self, spec):
+        if not _since('jazzy') and isinstance(self, (int, str, float, bytes)) and type(self).__str__ in _SHOW:
+            return format(self._value_, spec)
         return format(str(self), spec)
 class ReprEnum(Enum):
     def __str__(self):
-        return str(self._value_)
+        return str(self._value_) if _since('jazzy') else Enum.__str__(self)
     def __format__(self, spec):
-        return format(self._value_, spec)
-class IntEnum(ReprEnum):
-    def __str__(self):
-        return str(self._value_)
-class StrEnum(ReprEnum):
+        if not _since('jazzy'):
+            return Enum.__format__(self, spec)
+        return format(self._value_, spec) if spec else str(self)
+class IntEnum(ReprEnum, int): ...
+class StrEnum(ReprEnum, str):
     def __str__(self):
         return self._value_
 @reads_only
@@ -48,11 +57,12 @@ class Flag(Enum):
         return other._value_ & self._value_ == other._value_
     def __invert__(self): ...
 @reads_only
-class IntFlag(ReprEnum, Flag):
+class IntFlag(ReprEnum, Flag, int):
     def __contains__(self, other):
         return Flag.__contains__(self, other)
     def __invert__(self) -> int: ...
 
+_SHOW = (Enum.__str__, ReprEnum.__str__)
 CONTINUOUS = 'no skipped integer values'
 NAMED_FLAGS = 'multi-flag aliases may not contain unnamed flags'
 UNIQUE = 'one name per value'

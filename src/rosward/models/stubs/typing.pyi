@@ -20,37 +20,52 @@ class _Form:
     def __getitem__(self, item):
         return self
     def __or__(self, other):
-        return self
+        return Union[self, other]
     def __ror__(self, other):
-        return self
+        return Union[other, self]
     def __call__(self, *args, **kwargs):
         return self
 
 class _Annotated(_Form):
     """`Annotated[…]` that stands behind a name."""
-    def __init__(self, item):
-        self.__origin__ = item[0]
-        self.__metadata__ = item[1:]
+    def __init__(self, origin, metadata):
+        self.__origin__ = origin
+        self.__metadata__ = metadata
 class _MakesAnnotated(_Form):
     def __getitem__(self, item):
-        return _Annotated(item)
-class _Alternatives(_Form):
-    """`Literal[…]`, `Union[…]` or `Optional[…]`, with what is in the brackets."""
+        if _form_of(item[0]) == '_Annotated':
+            return _Annotated(item[0].__origin__, (*item[0].__metadata__, *item[1:]))
+        return _Annotated(item[0], item[1:])
+class _Union(_Form):
+    """`Union[…]` or `Optional[…]`, with what is in the brackets."""
     def __init__(self, origin, args):
         self.__origin__ = origin
         self.__args__ = args
+    def __eq__(self, other):
+        return _form_of(other) == _form_of(self) and set(other.__args__) == set(self.__args__)
+class _Literal(_Union):
+    """`Literal[…]`, with what is in the brackets."""
+def _flat(item, form):
+    """What is in the brackets, with what is in those of its own kind there."""
+    found = []
+    for each in item if isinstance(item, tuple) else (item,):
+        found += each.__args__ if _form_of(each) == form else (each,)
+    return found
 class _MakesLiteral(_Form):
     def __getitem__(self, item):
         found = []
-        for each in item if isinstance(item, tuple) else (item,):
-            found += each.__args__ if _form_of(each) == '_Alternatives' else (each,)
-        return _Alternatives(self, tuple(found))
+        for each in _flat(item, '_Literal'):
+            if not any([type(each) is type(other) and each == other for other in found]):
+                found.append(each)
+        return _Literal(self, tuple(found))
 class _MakesUnion(_Form):
     def __getitem__(self, item):
         found = []
-        for each in item if isinstance(item, tuple) else (item,):
-            found += each.__args__ if _form_of(each) == '_Alternatives' else (type(None) if each is None else each,)
-        return _Alternatives(self, tuple(found)) if len(found) > 1 else found[0]
+        for each in _flat(item, '_Union'):
+            each = type(None) if each is None else each
+            if each not in found:
+                found.append(each)
+        return _Union(self, tuple(found)) if len(found) > 1 else found[0]
 class _MakesOptional(_Form):
     def __getitem__(self, item):
         return Union[item, None]
@@ -113,7 +128,7 @@ def get_origin(tp):
     form = _form_of(tp)
     if form == '_Annotated':
         return Annotated
-    if form == '_Alternatives':
+    if form in ('_Union', '_Literal'):
         return tp.__origin__
     return None if form == 'bare' else _origin(tp)
 @reads_only
@@ -122,7 +137,7 @@ def get_args(tp):
     form = _form_of(tp)
     if form == '_Annotated':
         return (tp.__origin__, *tp.__metadata__)
-    if form == '_Alternatives':
+    if form in ('_Union', '_Literal'):
         return tp.__args__
     return () if form == 'bare' else _args(tp)
 def dataclass_transform(*, eq_default=True, order_default=False, kw_only_default=False, field_specifiers=(), **kwargs):

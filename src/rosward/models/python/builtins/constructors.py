@@ -69,7 +69,7 @@ def _number(call: NativeCall) -> Value:
 
     def one(*values: Value) -> Value:
         if isinstance(values[0], Ref):
-            values = (member_value(call.machine, values[0]) or values[0], *values[1:])
+            values = (member_value(call.machine, values[0], f"__{name}__") or values[0], *values[1:])
         known = evaluate(call.machine, name, _NUMBERS[name], values, name)
         if known is not None:
             return known

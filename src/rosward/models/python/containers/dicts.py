@@ -55,6 +55,8 @@ def find(machine: Machine, obj: Obj, key: Value) -> Value | None:
     number = member_value(machine, key)
     if number is not None:
         return find(machine, obj, number)
+    if isinstance(key, Ref) and _by_content(machine, key):
+        return next((k for k in obj.entries if isinstance(k, (Ref, Tuple)) and equal(machine, k, key)), None)
     if isinstance(key, Const):
         for other in obj.entries:
             if (
@@ -87,20 +89,25 @@ def look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
     return LookUp(with_origins(value, origins(index)), missing.pop() if len(missing) == 1 else None)
 
 
+def _by_content(machine: Machine, key: Ref | Tuple) -> bool:
+    """Whether another object may be the same key by what it holds: a tuple, a named one, a frozenset."""
+    return row_of(machine, key) is not None or (isinstance(key, Ref) and machine.obj(key).kind == "set")
+
+
 def _look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
     key = key_of(index)
     present = find(machine, obj, key) if key is not None else None
     if present is not None and present not in obj.maybe:
         return LookUp(obj.entries[present], False)
     candidates = [present] if present is not None else []
-    if present is None and isinstance(key, (Ref, Tuple)) and row_of(machine, key) is not None:
+    if present is None and isinstance(key, (Ref, Tuple)) and _by_content(machine, key):
         alike: dict[Value, bool | None] = {
             k: equal(machine, k, key) for k in obj.entries if isinstance(k, (Ref, Tuple))
         }
         candidates = [k for k, answer in alike.items() if answer is not False]
         if len(candidates) == 1 and alike[candidates[0]] and candidates[0] not in obj.maybe:
             return LookUp(obj.entries[candidates[0]], False)
-    elif key is None:
+    elif key is None or (present is None and compares(machine, key)):
         candidates = [k for k in obj.entries if equal(machine, k, index) is not False]
     values = [obj.entries[k] for k in candidates]
     if obj.rest is not None and (obj.rest_key is None or equal(machine, obj.rest_key, index) is not False):
@@ -182,7 +189,7 @@ def take(machine: Machine, ref: Ref, index: Value) -> LookUp:
         entries = {k: v for k, v in obj.entries.items() if k != present}
         _gone(machine, obj, present)
         machine.update(ref, obj.replace(entries=entries, maybe=obj.maybe - {present}))
-    elif key is None:
+    elif key is None or compares(machine, key):
         doubtful = {k for k in obj.entries if equal(machine, k, index) is not False}
         machine.update(ref, obj.replace(maybe=obj.maybe | doubtful))
     return found

@@ -11,6 +11,7 @@ from typing import Final
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.compound import Native, Tuple
+from rosward.domain.heap import Obj
 from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.dicts import key_of
@@ -48,9 +49,19 @@ def _key(machine: Machine, item: Value) -> Value | None:
     held = member_value(machine, item)
     if held is not None:
         return _as_integer(Const(held.value))
+    if isinstance(item, Ref) and machine.obj(item).kind == "set":
+        return _of_frozen(machine, machine.obj(item))
     row = row_of(machine, item) if isinstance(item, Ref) else None
     key = None if compares(machine, item) else key_of(item if row is None else row)
     return None if key is None else _as_integer(key)
+
+
+def _of_frozen(machine: Machine, obj: Obj) -> Value | None:
+    """The key of a frozenset of which everything is known: it is equal to another one that holds the same."""
+    keys = None if obj.items is None or obj.rest is not None else [_key(machine, item) for item in obj.items]
+    if keys is None or not all(isinstance(key, Const) for key in keys):
+        return None
+    return Tuple((FROZEN, *sorted((key for key in keys if key is not None), key=repr)))
 
 
 def _as_integer(key: Value) -> Value:

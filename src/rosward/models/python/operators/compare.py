@@ -37,7 +37,7 @@ from rosward.models.python.plain import (
     text_of,
     unknown_from,
 )
-from rosward.models.ros.interfaces import same_interface
+from rosward.models.ros.interfaces import NO_INTERFACE, is_known_interface, same_interface
 
 MAX_DEPTH: Final = 6
 MAX_COMPARED: Final = 2_000
@@ -210,6 +210,9 @@ def _never(machine: Machine, left: Value, right: Value) -> bool | None:
     """False where no such values are equal."""
     if isinstance(left, External) and isinstance(right, External):
         return same_interface(machine, left, right)
+    for one, other in ((left, right), (right, left)):
+        if isinstance(other, NO_INTERFACE) and is_known_interface(machine, one):
+            return False
     apart = isinstance(left, (BoundMethod, Range)) and isinstance(right, (Const, Text, Tuple))
     apart = apart or (isinstance(right, (BoundMethod, Range)) and isinstance(left, (Const, Text, Tuple)))
     external = isinstance(left, External) and right == NONE

@@ -9,14 +9,17 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.compound import Native, Tuple
-from rosward.domain.values import Class, Const, Ref, Value
+from rosward.domain.values import Class, Const, Function, Ref, Value
 from rosward.models.native import Machine
 
 _MEMBERS_COMPARE: Final = Native("enum.member.__eq__")
 
 
-def member_value(machine: Machine, value: Value) -> Const | None:
-    """The number or text that a member of an enumeration surely is (`IntEnum`, `class Side(str, Enum)`), and by which it compares."""
+def member_value(machine: Machine, value: Value, by: str = "__eq__") -> Const | None:
+    """The number or text that a member of an enumeration surely is (`IntEnum`, `class Side(str, Enum)`), and by which it compares.
+
+    `by`: what else must not be a method of the program.
+    """
     if not isinstance(value, Ref):
         return None
     obj = machine.obj(value)
@@ -27,6 +30,8 @@ def member_value(machine: Machine, value: Value) -> Const | None:
     for base in obj.cls.mro:
         if isinstance(base, Class) and not base.stub:
             own = machine.obj(Ref(base.address)).attrs
+            if isinstance(own.get(by), Function):
+                return None
             if "__eq__" in own or "__hash__" in own:
                 return obj.payload if own.get("__eq__") == _MEMBERS_COMPARE and "__hash__" not in own else None
     return None
@@ -54,7 +59,8 @@ def compares(machine: Machine, value: Value) -> bool:
 
 
 def has_equality(machine: Machine, cls: Value) -> bool:
-    """Whether a class, or one above it, has an `__eq__` in the program."""
+    """Whether a class, or one above it, has an `__eq__` in the program, or is one of `Literal[…]` and the like."""
     return isinstance(cls, Class) and any(
-        isinstance(b, Class) and not b.stub and "__eq__" in machine.obj(Ref(b.address)).attrs for b in cls.mro
+        isinstance(b, Class) and (not b.stub or b.module == "typing") and "__eq__" in machine.obj(Ref(b.address)).attrs
+        for b in cls.mro
     )

@@ -144,11 +144,14 @@ def make_members(call: NativeCall) -> Value:
         key = _key(call, value)
         member = None if key is None else by_value.get(key)
         if member is None:
-            attrs = {"_name_": Const(name), "name": Const(name), "_value_": value, "value": value}
-            member = machine.allocate(Obj("instance", cls, attrs, payload=value if data else None), ("member", name))
+            held, kept = _held(call, cls, data, value)
+            attrs = {"_name_": Const(name), "name": Const(name), "_value_": kept, "value": kept}
+            member = machine.allocate(Obj("instance", cls, attrs, payload=held), ("member", name))
             if key is not None:
                 by_value[key] = member
-            _initialise(call, cls, member, value)
+            init = _hook(call, cls, "__init__")
+            if init is not None:
+                machine.call(init, (member, *(value.items if isinstance(value, Tuple) else (value,))))
         members[Const(name)] = member
         machine.store_attr(cls, name, member)
     if members:
@@ -166,18 +169,21 @@ def _texts(call: NativeCall, value: Value | None) -> tuple[str, ...]:
     return names_of(call.machine.iterate(value).known)
 
 
-def _initialise(call: NativeCall, cls: Class, member: Ref, value: Value) -> None:
-    for base in cls.mro:
-        if isinstance(base, Class) and not base.stub:
-            attrs = call.machine.obj(class_obj(base)).attrs
-            if "__new__" in attrs and "__init__" not in attrs:  # it sets _value_ in a way that is not followed
-                unknown = call.machine.unknown(Cause.CALL, f"{cls.name}.__new__")
-                call.machine.store_attr(member, "value", unknown)
-                call.machine.store_attr(member, "_value_", unknown)
-                return
-            if "__init__" in attrs:
-                call.machine.call(attrs["__init__"], (member, *(value.items if isinstance(value, Tuple) else (value,))))
-                return
+def _held(call: NativeCall, cls: Class, data: str, value: Value) -> tuple[Value | None, Value]:
+    """The str or number that a member is, if it is one, and its `_value_`: `A = True` in an IntEnum is 1."""
+    machine = call.machine
+    if (
+        _hook(call, cls, "__new__") is not None
+    ):  # it makes the object, and sets `_value_`, in a way that is not followed
+        unknown = machine.unknown(Cause.CALL, f"{cls.name}.__new__")
+        return machine.unknown(Cause.CALL, f"{cls.name}.__new__", data) if data else None, unknown
+    if not data:
+        return None, value
+    if isinstance(value, Const) and type(value.value).__name__ == data:
+        return value, value
+    made = machine.call(Native(f"builtins.{data}"), value.items if isinstance(value, Tuple) else (value,))
+    held = value if made is UNBOUND else made
+    return held, held
 
 
 def _members(call: NativeCall, cls: Value) -> dict[Value, Value] | None:

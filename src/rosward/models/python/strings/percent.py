@@ -130,7 +130,7 @@ def _convert(machine: Machine, value: Value, field: _Field) -> Value:
     if spec is None or too_wide(spec):
         return unknown_from(machine, "%", "str", value)
     if isinstance(value, Ref) and field.type not in ("s", "r"):
-        value = member_value(machine, value) or value
+        value = member_value(machine, value, "__float__" if field.type in "eEfFgG" else "__eq__") or value
     if isinstance(value, Const):
         return from_python(machine, run(operator.mod, spec, (value.value,)), value.origins, "%")
     if field.type in ("s", "r"):

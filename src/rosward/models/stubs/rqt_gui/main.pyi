@@ -31,28 +31,30 @@ class Main:
             report('RW203', 'the name of the plugin that is opened in the window of rqt is not known')
             _node()
             return 0
-        found = _exported(package, standalone.lower()) if here else []
+        found = list(_exported(package, standalone.lower()).values()) if here else []
         if not found and '.' in standalone and '/' not in standalone:
             found = [standalone]
         if not found:
-            report('RW203', f'the plugin {standalone} of rqt is not among the sources')
+            report('RW203', f'no plugin of rqt that is exported by a package that {standalone} begins with has this name')
             _node()
+        if len(found) > 1:
+            report('RW203', f'rqt opens no plugin where several match {standalone}')
+            return 1
         for path in found:
             module, _, name = path.rpartition('.')
             _open(getattr(importlib.import_module(module), name))
         return 0
 
 def _exported(package, wanted):
-    """The classes that a package exports as plugins, and that are meant."""
+    """The classes that a package exports as plugins, and that are meant, by the names of the plugins."""
     folder = share_folder(package)
-    found = []
+    found = {}
     for export in ElementTree.parse(f'{folder}/package.xml').getroot().iter('rqt_gui'):
         file = export.get('plugin', '').replace('${prefix}/', '')
         for each in ElementTree.parse(f'{folder}/{file}').getroot().iter('class'):
-            path = each.get('type', '')
-            names = (path.lower(), f"{package}/{each.get('name', '')}".lower())
-            if each.get('base_class_type') == 'rqt_gui_py::Plugin' and any(wanted in name for name in names):
-                found.append(path)
+            path, name = each.get('type', ''), f"{package}/{each.get('name', '')}"
+            if each.get('base_class_type') == 'rqt_gui_py::Plugin' and (wanted in path.lower() or wanted in name.lower()):
+                found[name] = path
     return found
 
 def _node():
