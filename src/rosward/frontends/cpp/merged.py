@@ -36,7 +36,30 @@ _NEUTRAL: Final = {"||": "false", "&&": "true"}
 _STARTS: Final = frozenset({"return", "=", ",", "(", "{", "[", ":"})
 """What stands before an expression that is whole."""
 _NO_BEGINNING: Final = frozenset(
-    {"||", "&&", "<<", ">>", "*", "/", "%", "==", "!=", "<=", ">=", "<", ">", "=", ".", "->", "::", "?", ":", "|", "^", "{"}
+    {
+        "||",
+        "&&",
+        "<<",
+        ">>",
+        "*",
+        "/",
+        "%",
+        "==",
+        "!=",
+        "<=",
+        ">=",
+        "<",
+        ">",
+        "=",
+        ".",
+        "->",
+        "::",
+        "?",
+        ":",
+        "|",
+        "^",
+        "{",
+    }
 )
 _BINDING: Final = frozenset({"+", "-", "*", "/", "%", "<<", ">>", "<", ">", "<=", ">=", "==", "!=", "&", "^", "|"})
 _LOOSE: Final = frozenset({"?", ":", "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
@@ -88,9 +111,7 @@ def _one_of(written: Sequence[list[str]], before: str, after: str) -> str | None
     return None
 
 
-def _between(
-    written: Sequence[list[str]], start: int, reach: Sequence[int], before: str, after: str
-) -> str | None:
+def _between(written: Sequence[list[str]], start: int, reach: Sequence[int], before: str, after: str) -> str | None:
     """The text where what differs begins at `start`, and goes to `reach` at least."""
     first = written[0]
     ends = [_end(each, start, least) for each, least in zip(written, reach, strict=True)]

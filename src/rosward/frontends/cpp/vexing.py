@@ -68,7 +68,9 @@ def _is_member(declared: Declared, seen: Sequence[File]) -> bool:
         return False
     names = (*(part.name for part in declared.before), declared.name)
     return any(
-        SymbolKind.VARIABLE in _declared((*base, *names), file) for base in _bases(declared.scope, seen) for file in seen
+        SymbolKind.VARIABLE in _declared((*base, *names), file)
+        for base in _bases(declared.scope, seen)
+        for file in seen
     )
 
 
