@@ -16,7 +16,7 @@ from rosward.domain.slots import Overloads
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, Ref, Unknown, Value
-from rosward.engine import made_many
+from rosward.engine import made_many, waits_recalled
 from rosward.engine.arguments import ANY
 from rosward.engine.attributes_asked import records_of
 from rosward.engine.budget import BeginAnewError, LimitReachedError
@@ -164,7 +164,10 @@ def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> Non
         with _alone(machine):
             book.waited += beside
             book.hurried = beside and book.waited > _MOST_WAITS
-            _run(machine, frames)
+            if book.hurried:
+                waits_recalled.run_or_recall(machine, lambda: _run(machine, frames))
+            else:
+                _run(machine, frames)
             book.hurried = False
         machine.unheld = set()
         book.settled = _reached(machine)

@@ -12,7 +12,7 @@ from rosward.records import NamedTuple
 if TYPE_CHECKING:
     from rosward.domain.state import State
     from rosward.engine.frame import Frame
-    from rosward.engine.scheduled import Scheduled
+    from rosward.engine.scheduled import Scheduled, Wait
     from rosward.source.location import Place
 
 
@@ -43,6 +43,7 @@ class Schedule:
         "named",
         "parallel",
         "raised",
+        "remembered",
         "running",
         "seen",
         "settled",
@@ -59,6 +60,7 @@ class Schedule:
         self.spent = False  # callbacks do not run again, as all together took too many steps
         self.beside = False  # a thread was started that spins: callbacks run wherever the main body waits
         self.waited = 0  # how often the main body waited then
+        self.remembered: list[Wait] = []  # what ran where the main body waited (`waits_recalled.py`)
         self.hurried = False  # it did so often that callbacks are followed with less precision there
         self.parallel = False  # something may run while a callback waits: another thread, a signal, an executor with several threads
         self.threads = False  # an executor or a pool has several threads

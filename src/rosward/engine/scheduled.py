@@ -6,12 +6,22 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, final
 
 from rosward.domain.values import Value
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.state import State
     from rosward.engine.nodes_asked import Answered
     from rosward.source.location import Place
+
+
+class Wait(NamedTuple):
+    """What callbacks found where the main body waited, and what they left."""
+
+    around: tuple[object, ...]
+    found: list[tuple[int, Obj | None]]
+    left: list[tuple[int, Obj]]
+    nodes: Answered
 
 
 @final

@@ -29,10 +29,11 @@ from rosward.models.cpp.slots import read
 from rosward.models.cpp.typed import Declared, typed
 
 if TYPE_CHECKING:
+    from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
     from rosward.ir.program import Code
 
-__all__ = ["bind", "deduce"]
+__all__ = ["bind", "deduce", "instance"]
 
 _NO_SIGNATURE: Final = Signature()
 
@@ -68,6 +69,13 @@ def bind(
             missing = not parameter.default and ANY in keywords
             registers.append(_any(machine, env, parameter, bindings, keywords[ANY]) if missing else UNBOUND)
     return registers
+
+
+def instance(frame: Frame) -> tuple[object, ...]:
+    """What the parameters of a function template stand for in a call: each instance has static variables of its own."""
+    signature = frame.code.signature
+    types = signature.types(frame.registers) if signature is not None else ()
+    return tuple(each.value if isinstance(each, Const) else each for each in types)
 
 
 def _object(machine: Engine, value: Value) -> Value:

@@ -28,6 +28,7 @@ from rosward.engine.cpp import (
     narrowing,
     operators,
 )
+from rosward.engine.cpp.binding import instance
 from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.converting import as_value, decaying
 from rosward.engine.cpp.packs import items_of
@@ -282,7 +283,7 @@ def _default(machine: Engine, op: cpp.Default, frame: Frame) -> bool | None:
 
 def _static_local(machine: Engine, op: cpp.StaticLocal, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    address = machine.place_key(("static", frame.code.key, op.number, frame.module.address))
+    address = machine.place_key(("static", frame.code.key, op.number, frame.module.address, *instance(frame)))
     if machine.own(address) is None:
         if not machine.run(op.body, frame):
             return DEAD

@@ -28,6 +28,8 @@ _TEXT_LIMIT: Final = 4_000_000
 _GIVEN: Final = frozenset({"assert"})
 """Macros of which the language says what they do, however somebody defines them."""
 _CALL_LINES: Final = 400
+_GOES_ON: Final = re.compile(r"\s*else\b")
+"""What belongs to a statement from before."""
 _INCLUDE: Final = re.compile(r'"([^"\n]+)"|<([^>\n]+)>')
 
 
@@ -275,7 +277,7 @@ class Reading:
                 break
         several = bool(chosen) and len(chosen) + (not complete) > 1
         if several and not self._can_keep(branches):
-            if self._merge([branches[n] for n in chosen], complete=complete):
+            if self._merge([branches[n] for n in chosen], end, complete=complete):
                 self._out += [""] * (end - opening.line - 1 - (end >= last))
                 return end + 1
             self._tell(
@@ -300,13 +302,14 @@ class Reading:
             self._out.append("")
         return end + 1
 
-    def _merge(self, branches: list[tuple[int, int]], *, complete: bool) -> bool:
+    def _merge(self, branches: list[tuple[int, int]], end: int, *, complete: bool) -> bool:
         """Put out one text for all branches, in the line of the first, where that can be."""
         lines, found = self._source.lines, self._source.found
         if any(number in found for first, behind in branches for number in range(first, behind)):
             return False
         before = "\n".join(self._out[-200:])
-        text = merged(["\n".join(lines[first:behind]) for first, behind in branches], before, complete=complete)
+        after = "\n".join(lines[end + 1 : end + 20])
+        text = merged(["\n".join(lines[first:behind]) for first, behind in branches], before, after, complete=complete)
         if text is None:
             return False
         self._out.append("")
@@ -329,7 +332,7 @@ class Reading:
         codes = [code_of(self._source.lines, self._source.found, *branch) for branch in branches]
         if not any(code.strip() for code in codes):
             return True
-        return begins_here(before) and all(map(is_whole, codes))
+        return begins_here(before) and all(is_whole(code) and not _GOES_ON.match(code) for code in codes)
 
     def _both(self, branches: list[tuple[int, int]], chosen: list[int], complete: bool) -> None:
         """Each branch that may be taken, one after the other, each with the macros from before; what they define is joined."""

@@ -3,6 +3,7 @@
 
 static const Key key(ids::NAV, ids::FIX);     where ids::NAV is a constant        ->  a variable that is made of two arguments
 Key Message::key(kFirst);                     a static member of the class Message
+template<class T> int Table<T>::n(T::SIZE);   the same: what names a member of the class that is a variable is no function
 Key made(ids::Number);                        where ids::Number is a type         ->  a function
 """
 
@@ -26,7 +27,7 @@ __all__ = ["as_meant"]
 _VALUES: Final = frozenset({SymbolKind.VARIABLE, SymbolKind.ENUMERATOR})
 _HOLDERS: Final = frozenset({SymbolKind.CLASS, SymbolKind.ENUM})
 _OTHERS: Final = frozenset({SymbolKind.USING, SymbolKind.USING_NAMESPACE, SymbolKind.NAMESPACE_ALIAS})
-_NO_TYPES: Final = frozenset({"primitive_type", "placeholder_type_specifier", "auto"})
+_NO_TYPES: Final = frozenset({"placeholder_type_specifier", "auto"})
 
 
 class File(Protocol):
@@ -54,11 +55,23 @@ def as_meant(declared: Declared, seen: Sequence[File]) -> Declared:
         return declared
     type_node, name = declared.whole.child_by_field_name("type"), inner(declarator)
     listed = arguments_in(declarator)
-    if listed is None or name is None or type_node is None or type_node.type in _NO_TYPES:
+    if listed is None or name is None or type_node is None or type_node.type in _NO_TYPES or type_node.text == b"void":
         return declared
-    if not _are_values(listed, declared.scope, seen):
+    if not _is_member(declared, seen) and not _are_values(listed, declared.scope, seen):
         return declared
     return declared._replace(kind=SymbolKind.VARIABLE, node=name)
+
+
+def _is_member(declared: Declared, seen: Sequence[File]) -> bool:
+    """Whether it names a static member that its class declares as a variable."""
+    if not declared.before:
+        return False
+    names = (*(part.name for part in declared.before), declared.name)
+    return any(
+        SymbolKind.VARIABLE in _declared((*base, *names), file)
+        for base in _bases(declared.scope, seen)
+        for file in seen
+    )
 
 
 def _are_values(listed: Sequence[Node], scope: Scope, seen: Sequence[File]) -> bool:
@@ -104,5 +117,16 @@ def _declared(full: Scope, file: File) -> Iterator[SymbolKind]:
     for each in file.outline.declared:
         if each.name == last and each.scope == scope and not each.before and each.kind not in _OTHERS:
             yield each.kind
-        elif each.kind in _HOLDERS and around and each.name == around[-1] and (*each.scope, each.label) == scope:
-            yield from (member.kind for member in members(file.parsed, each) if member.name == last)
+    for holder in _holders(scope, file):
+        yield from (member.kind for member in members(file.parsed, holder) if member.name == last)
+
+
+def _holders(scope: Scope, file: File) -> Iterator[Declared]:
+    """The classes and enums of that full name, those within classes as well."""
+    if not scope:
+        return
+    for each in file.outline.declared:
+        if each.kind in _HOLDERS and each.name == scope[-1] and (*each.scope, each.label) == scope:
+            yield each
+    for outer in _holders(scope[:-1], file):
+        yield from (m for m in members(file.parsed, outer) if m.kind in _HOLDERS and m.name == scope[-1])
