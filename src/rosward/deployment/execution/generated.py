@@ -9,11 +9,11 @@ The path is passed on as text, through launch arguments and includes, until a no
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, Protocol, final
 
 from rosward.deployment.execution.content import Content
-from rosward.deployment.execution.perform_paths import normal_path
 from rosward.deployment.execution.rewrites import (
     Pairs,
     Rows,
@@ -48,6 +48,7 @@ STEM: Final = "/tmp/launch_params_"
 """How the names of the files begin that launch writes."""
 _PUT: Final = "/tmp/launch_files_"
 _TOKEN: Final = "rosward_hole_"
+_ROOT: Final = re.compile("^//")
 
 
 class Performs(Protocol):
@@ -97,9 +98,8 @@ class GeneratedFiles:
 
     def _name(self, path: Value) -> str:
         """One name for all spellings of a path; none where it is not known."""
-        normal = normal_path(path)
-        known = plain_text(normal) is not None or is_path(normal)
-        return os.path.normpath(self._files.show(normal)) if known else ""
+        known = plain_text(path) is not None or is_path(path)
+        return _ROOT.sub("/", os.path.normpath(self._files.show(path))) if known else ""
 
     def written(self, path: Value) -> Value | None:
         """The text that Python code of the launch has written into the file behind a path, if it has; None of Python where it has removed it."""
