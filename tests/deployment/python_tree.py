@@ -116,6 +116,10 @@ class Launch:
     def write_file(self, path: Value, text: Value) -> None:
         del path, text
 
+    def written(self, path: Value) -> Value | None:
+        del path
+        return None
+
     def given(self) -> Sequence[str]:
         return self.words
 

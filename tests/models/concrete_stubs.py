@@ -102,6 +102,7 @@ class Stubs:
                 variable=lambda _name: None,
                 set_variable=lambda _name, _value: None,
                 write_file=lambda _path, _text: None,
+                replaced=lambda _source, _target: None,
                 native=self._native,
                 unknown=lambda cause, subject, hint="": Unknown(f"?{subject}") if cause and hint is not None else None,
                 default=lambda _kind, name, value: Default(name, value),

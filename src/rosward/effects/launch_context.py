@@ -41,7 +41,10 @@ class LaunchSettings(Protocol):
         """A path at which there is no file yet."""
 
     def write_file(self, path: Value, text: Value) -> None:
-        """A file is written by the launch itself: whoever reads it from now on finds this text."""
+        """A file is written by the launch itself: whoever reads it from now on finds this text. Python's None: it is removed."""
+
+    def written(self, path: Value) -> Value | None:
+        """What the launch has written into a file; Python's None where it has removed it, no value where it has done neither."""
 
 
 class LaunchContext(LaunchSettings, Protocol):

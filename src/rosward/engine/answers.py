@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from rosward.source.definitions import Definition
 
 _LONGEST_PATH: Final = 12
+MAX_LOADS: Final = 16
+"""How many modules are made of one file that is loaded by its path."""
 
 _HIDING: Final = frozenset({"RW203", "RW208"})
 """Findings that something is done of which it is not known what: set an attribute, make a class or an entity of a node."""
@@ -328,8 +330,14 @@ class Answers:
         return load(self, name, own_frame(self.frames), level)
 
     def load_file(self: Engine, file: str, name: str) -> Value | None:
-        """The module of a file of the sources in the language of the program, run under a name if it was not yet; None where it is none."""
+        """The module of a file of the sources in the language of the program, run under a name, each time anew; None where it is none."""
         if not file.endswith(".py") or self.library.module(file) is None:
             return None
-        module = ModuleValue(self.place_key(("module", file, "by its path")), name, file)
-        return module if self.own(module.address) is not None or self.run_module(module, name) else UNBOUND
+        for turn in range(MAX_LOADS):
+            module = ModuleValue(self.place_key(("module", file, "by its path", turn)), name, file)
+            if self.own(module.address) is None:
+                return module if self.run_module(module, name, turn) else UNBOUND
+        self.report(
+            "RW203", f"{file} is loaded by its path more than {MAX_LOADS} times: what runs again is not analysed"
+        )
+        return module

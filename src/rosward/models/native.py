@@ -170,7 +170,7 @@ class Machine(Execution, Protocol):
         """The module of a dotted name, run if it was not yet; where the program has `asked` for it, that may fail."""
 
     def load_file(self, file: str, name: str) -> Value | None:
-        """The module of a file of the sources in the language of the program, run under a name if it was not yet; None where it is none."""
+        """The module of a file of the sources in the language of the program, run under a name, each time anew; None where it is none."""
 
     def truth(self, value: Value) -> bool | None:
         """The truth of a value; None where both are possible (also for constants that stem from a mere default)."""

@@ -8,6 +8,8 @@ The path is passed on as text, through launch arguments and includes, until a no
 
 from __future__ import annotations
 
+import os
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, Protocol, final
 
@@ -30,7 +32,7 @@ from rosward.domain.choice import join_all, lift, lift2, options, reasons_of
 from rosward.domain.compound import Tuple
 from rosward.domain.text import is_path, origins_of, parts_of, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Hole, Text, Unknown, Value
+from rosward.domain.values import NONE, Const, Hole, Text, Unknown, Value
 from rosward.effects.configuration import Given
 from rosward.source.location import Place
 
@@ -46,6 +48,7 @@ STEM: Final = "/tmp/launch_params_"
 """How the names of the files begin that launch writes."""
 _PUT: Final = "/tmp/launch_files_"
 _TOKEN: Final = "rosward_hole_"
+_ROOT: Final = re.compile("^//")
 
 
 class Performs(Protocol):
@@ -68,8 +71,9 @@ class GeneratedFiles:
         self._made: dict[str, Content] = {}
         self._paths = 0
         self._put: dict[
-            str, Value | Content
-        ] = {}  # by path: the text that the launch files have written, its content once it was asked for
+            str, Value
+        ] = {}  # by path: the text that the launch files have written, None where they removed it
+        self._parsed_put: dict[str, Content] = {}
         self._read: dict[str, tuple[Content, tuple[Finding, ...]]] = {}
 
     def write(self, content: Content) -> Value:
@@ -87,21 +91,31 @@ class GeneratedFiles:
     def put(self, path: Value, text: Value) -> None:
         """Python code of the launch writes a file. Which one it is has to be known: whoever reads it by another path finds what was there before."""
         for option in options(path):
-            if len(self._put) < MAX_FILES:
-                self._put[self._files.show(option)] = text if len(options(path)) == 1 else Unknown(reasons_of(path))
+            name = self._name(option)
+            if name and (name in self._put or len(self._put) < MAX_FILES):
+                self._put[name] = text if len(options(path)) == 1 else Unknown(reasons_of(path))
+                self._parsed_put.pop(name, None)
+
+    def _name(self, path: Value) -> str:
+        """One name for all spellings of a path; none where it is not known."""
+        known = plain_text(path) is not None or is_path(path)
+        return _ROOT.sub("/", os.path.normpath(self._files.show(path))) if known else ""
+
+    def written(self, path: Value) -> Value | None:
+        """The text that Python code of the launch has written into the file behind a path, if it has; None of Python where it has removed it."""
+        return self._put.get(self._name(path)) if self._put else None
 
     def _written(self, path: Value, place: Place) -> Content | None:
-        """What Python code of the launch has written into the file behind a path, if it has."""
-        known = plain_text(path) is not None or is_path(path)
-        name = self._files.show(path) if known else ""
+        """The parameters that Python code of the launch has written into the file behind a path, if it has."""
+        name = self._name(path)
         found = self._put.get(name)
-        if found is None or isinstance(found, Content):
-            return found
-        whole = all(isinstance(o, Text) or (isinstance(o, Const) and isinstance(o.value, str)) for o in options(found))
-        reason = (*reasons_of(found), Reason(Cause.FILE, name, place))[0]
-        content = self._parsed([found], name, place) if whole else Content(None, file=name, reason=reason)
-        self._put[name] = content
-        return content
+        if found is not None and name not in self._parsed_put:
+            reason = (*reasons_of(found), Reason(Cause.FILE, name, place))[0]
+            if all(_is_text(option) for option in options(found)):
+                self._parsed_put[name] = self._parsed([found], name, place)
+            else:
+                self._parsed_put[name] = Content(None, file=name, reason=reason, absent=found == NONE)
+        return self._parsed_put.get(name)
 
     def content(self, path: Value, place: Place, *, as_text: bool = False) -> Content:
         """The content of the file behind one path (not a Choice). `as_text`: what is wrong with it as parameters does not matter yet."""
@@ -236,6 +250,11 @@ class GeneratedFiles:
         if content.absent:
             shown = self._files.show(path)
             self._findings.tell("RW320", f"The file {shown}, which is to be rewritten, does not exist.", place)
+
+
+def _is_text(value: Value) -> bool:
+    """Whether this is what a file holds. An empty one was made for something that is not seen to write it: the output of a command."""
+    return isinstance(value, Text) or (isinstance(value, Const) and isinstance(value.value, str) and value.value != "")
 
 
 def _performed(value: Value, scene: Performs) -> Value:

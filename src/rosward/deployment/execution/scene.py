@@ -143,6 +143,10 @@ class Scene:
         """A file is written by the launch itself."""
         self.generated.put(path, text)
 
+    def written(self, path: Value) -> Value | None:
+        """What the launch has written into a file; Python's None where it has removed it, no value where it has done neither."""
+        return self.generated.written(path)
+
     def given(self) -> Sequence[str]:
         """The launch arguments that the user gave, as words `name:=value` of the command line."""
         return self.words

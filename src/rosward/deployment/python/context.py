@@ -126,6 +126,10 @@ class PerformedContext:
         """A file is written by the launch itself."""
         self.performer.write_file(path, text)
 
+    def written(self, path: Value) -> Value | None:
+        """What the launch has written into a file; Python's None where it has removed it, no value where it has done neither."""
+        return self.performer.written(path)
+
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""
         self.performer.set_variable(name, value)

@@ -18,6 +18,7 @@ from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Ref, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.python.std.paths import as_text
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -251,9 +252,24 @@ def _write_file(call: NativeCall) -> Value:
     launch = _launch(call)
     if launch is not None:
         path, text = call.exactly(2)
+        path = as_text(call, path)
         sure = call.machine.is_sure
         launch.write_file(path, text if sure else call.machine.unknown(Cause.FILE, readable(path), "str"))
     return NONE
+
+
+def _replaced(call: NativeCall) -> Value:
+    """`shutil.copy` and the like: the file behind the target is another one, or one in it; what it holds is not followed."""
+    launch = _launch(call)
+    source, target = (as_text(call, call.arg(at, name, NONE) or NONE) for at, name in enumerate(("src", "dst")))
+    if launch is not None:
+        unknown = call.machine.unknown(Cause.FILE, readable(target), "str")
+        name = call.machine.call_native("os.path.basename", (source,))
+        for path in (target, call.machine.call_native("os.path.join", (target, name))):
+            launch.write_file(path, unknown)
+        if call.name in ("shutil.move", "_rosward.launch.replaced"):
+            launch.write_file(source, NONE if call.machine.is_sure else unknown)
+    return call.machine.unknown(Cause.FILE, call.name, "str") if call.name.startswith("shutil.") else NONE
 
 
 def _temporary(call: NativeCall) -> Value:
@@ -265,12 +281,13 @@ def _temporary(call: NativeCall) -> Value:
 
 
 def _temporary_file(call: NativeCall) -> Value:
-    """NamedTemporaryFile, which is written as text or not at all."""
+    """NamedTemporaryFile, which is gone once it is closed unless the program says otherwise."""
     launch = _launch(call)
     if launch is None:
         return call.machine.unknown(Cause.CALL, call.name)
-    opened = call.machine.load_attr(call.machine.load_module("_opened"), "WrittenFile")
-    return call.machine.call(opened, (launch.new_path(),))
+    opened = call.machine.load_attr(call.machine.load_module("_opened"), "TemporaryFile")
+    kept = {name: value for name, value in call.keywords.items() if name in ("delete", "delete_on_close")}
+    return call.machine.call(opened, (launch.new_path(),), kept)
 
 
 def _folder(cause: Cause) -> NativeFunction:
@@ -311,6 +328,8 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     **dict.fromkeys(("tempfile.mkdtemp", "tempfile.gettempdir", "tempfile.mktemp"), _temporary),
     "tempfile.NamedTemporaryFile": _temporary_file,
     "_rosward.launch.write_file": _write_file,
+    **dict.fromkeys(("shutil.copy", "shutil.copy2", "shutil.copyfile", "shutil.move"), _replaced),
+    "_rosward.launch.replaced": _replaced,
     "_rosward.launch.share_folder": _folder(Cause.SHARE),
     "_rosward.launch.prefix_folder": _folder(Cause.PREFIX),
     "_rosward.launch.is_package": _is_package,

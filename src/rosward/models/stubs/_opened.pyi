@@ -99,3 +99,16 @@ class WrittenFile:
     def fileno(self) -> int: ...
     def writable(self):
         return True
+
+class TemporaryFile(WrittenFile):
+    """It is removed when it is closed, or left."""
+    def __init__(self, name, delete=True, delete_on_close=True):
+        self._deleted = delete
+        self._at_once = delete_on_close
+        WrittenFile.__init__(self, name)
+    def __exit__(self, kind, value, trace):
+        if self._deleted:
+            write_file(self.name, None)
+    def close(self):
+        if self._deleted and self._at_once:
+            write_file(self.name, None)

@@ -20,7 +20,10 @@ class JSONDecodeError(ValueError):
 def dump(obj, fp, *, skipkeys=False, ensure_ascii=True, check_circular=True, allow_nan=True, cls=None, indent=None, separators=None,
          default=None, sort_keys=False, **kw):
     if isinstance(fp, WrittenFile):
-        fp.write(json.dumps(obj) if cls is None and default is None else json.dumps(obj, cls=cls, default=default))
+        if cls is None and default is None:
+            fp.write(json.dumps(obj, ensure_ascii=ensure_ascii, indent=indent, separators=separators, sort_keys=sort_keys))
+        else:
+            fp.write(json.dumps(obj, cls=cls, default=default))
         return
     text = json.dumps(obj, cls=cls, default=default)
     ask(fp, 'write', unknown('call', 'text that a library writes', 'str'))

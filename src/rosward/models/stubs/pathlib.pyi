@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`pathlib`: a path is its text."""
 from _rosward import native, reads_only, sink, source, unknown
-from _rosward.launch import write_file
+from _rosward.launch import replaced, write_file
 import os
 
 @native
@@ -138,9 +138,10 @@ class Path(PurePath):
     def write_text(self, data, encoding=None, errors=None, newline=None):
         write_file(self._text, data)
         return len(data)
-    @reads_only
     @sink("file")
-    def write_bytes(self, data) -> int: ...
+    def write_bytes(self, data):
+        write_file(self._text, data.decode())
+        return len(data)
     def _below(self):
         for name in os.listdir(self._text):
             yield Path(self._text, name)
@@ -169,9 +170,9 @@ class Path(PurePath):
     @reads_only
     @sink("file")
     def touch(self, mode=0o666, exist_ok=True) -> None: ...
-    @reads_only
     @sink("file")
-    def unlink(self, missing_ok=False) -> None: ...
+    def unlink(self, missing_ok=False):
+        write_file(self._text, None)
     @reads_only
     @sink("file")
     def chmod(self, mode, *, follow_symlinks=True) -> None: ...
@@ -183,9 +184,11 @@ class Path(PurePath):
     def hardlink_to(self, target) -> None: ...
     @sink("file")
     def rename(self, target):
+        replaced(self._text, target)
         return Path(target)
     @sink("file")
     def replace(self, target):
+        replaced(self._text, target)
         return Path(target)
 
 PosixPath = Path

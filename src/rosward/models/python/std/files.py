@@ -36,6 +36,13 @@ def _path(call: NativeCall, name: str) -> Value:
 
 def _text(call: NativeCall, path: Value) -> Const | None:
     """The text of the file at a path, if it is one of the sources."""
+    launch = call.machine.log.launch
+    written = launch.written(path) if launch is not None else None
+    if written is not None:
+        known = isinstance(written, Const) and isinstance(written.value, str) and written.value
+        return (
+            Const(written.value, written.origins | origins_of(path)) if isinstance(written, Const) and known else None
+        )
     where = location_of(path)
     text = call.machine.files.read(*where) if where is not None else None
     return None if text is None else Const(text, origins_of(path))
@@ -44,6 +51,12 @@ def _text(call: NativeCall, path: Value) -> Const | None:
 def _open(call: NativeCall) -> Value:
     """A file: of one that is not among the sources, or not read as text, whatever is read is unknown because of its content."""
     mode = text_of(call.arg(1, "mode", Const("r")))
+    paths = _path(call, "file")
+    one_of = call.machine.log.launch is not None and mode not in _READING and len(options(paths)) > 1
+    if one_of:  # nobody knows into which of them
+        unknown = call.machine.unknown(Cause.FILE, readable(paths), "str")
+        call.machine.call_native("_rosward.launch.write_file", (paths, unknown))
+        return call.machine.unknown(Cause.FILE, readable(paths), FILE_HINT)
 
     def one(path: Value) -> Value:
         text = _text(call, path) if mode in _READING else None
@@ -64,7 +77,7 @@ def _open(call: NativeCall) -> Value:
             return call.machine.call(call.machine.load_attr(opened, "BinaryFile"), (data, path))
         return call.machine.call(call.machine.load_attr(opened, "TextFile"), (text, path))
 
-    return lift(one, _path(call, "file"))
+    return lift(one, paths)
 
 
 def _read_text(call: NativeCall) -> Value:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`importlib.util`: modules by their paths, see models/python/builtins/import_by_name.py. Read in CPython 3.13, `Lib/importlib/util.py`.
 
-The module runs where it is made of its specification, once for all that load the same file.
+The module runs where it is made of its specification, each time anew.
 """
 import os
 from _rosward import reads_only
