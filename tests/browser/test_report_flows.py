@@ -273,6 +273,7 @@ def test_without_topics_and_in_closed_frames(page: Page) -> None:
 def test_a_finding_shows_its_way(page: Page) -> None:
     page.locator("#tabs a", has_text="Findings").click()
     item = page.locator("#code-RW601 li")
+    item.locator(".line code").first.wait_for()
     assert item.locator(".line code").all_inner_texts() == ["line 36", "line 40"]
     item.get_by_role("button", name="Show the way in the graph").click()
     page.locator("#flow-status", has_text="the way of RW601").wait_for()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """For which distribution is the analysis?
 
-_since("jazzy")         in a stub: True for jazzy and what came later, with its Python 3.12; False for humble and iron, with Python 3.10
+_since(NAME)         in a stub: True for the distribution of that name and what came later; False for those before it
 """
 
 from __future__ import annotations
