@@ -237,9 +237,11 @@ def _contents(machine: Machine, obj: Obj, known: dict[int, Value], depth: int) -
         return _copied(machine, value, known, depth)
 
     def each(rest: Value) -> Value:
-        """Elements of which the number is not known: where they are one object, their copies are."""
-        shared = any(isinstance(o, Ref) and machine.obj(o).many for o in options(rest))
-        return several(machine, one(rest)) if shared else one(rest)
+        """Elements of which the number is not known: where one stands for several, or for the copies of several, it is many."""
+        made = one(rest)
+        before, after = ([o for o in options(v) if isinstance(o, Ref)] for v in (rest, made))
+        shared = len(after) < len(before) or any(machine.obj(o).many for o in before)
+        return several(machine, made) if shared else made
 
     changes: dict[str, object] = {}
     references = _references(machine, obj.cls)
