@@ -86,6 +86,7 @@ FAILS: Final = {
     "characters: A question mark in the name of a node": "InvalidNodeNameException",
     "characters: A set in the name of a node": "InvalidNodeNameException",
     "invalid: Assigning to a property of Node": "AttributeError",
+    "imports_by_name: A module at a path that nobody knows": "IndexError",
 }
 """Cases about programs that fail, and how the real ones do."""
 
