@@ -48,9 +48,7 @@ def run_or_recall(machine: Engine, run: Callable[[], None]) -> None:
         return
     left = list(machine.state.heap.changed_since(before.heap))
     addresses = {*records_of(asked), *(address for address, _ in left)}
-    for (
-        entry
-    ) in machine.schedule_book.entries.values():  # those that did not run again would have found what they found
+    for entry in machine.schedule_book.entries.values():  # who did not run again would have found the same
         addresses.update(address for address, _ in entry.read)
         addresses.update(address for address, _ in entry.left)
         addresses.update(address for address, _, _ in entry.parts)

@@ -70,9 +70,8 @@ class GeneratedFiles:
         self._findings = findings
         self._made: dict[str, Content] = {}
         self._paths = 0
-        self._put: dict[
-            str, Value
-        ] = {}  # by path: the text that the launch files have written, None where they removed it
+        # By path: the text that the launch files have written, None of Python where they removed it.
+        self._put: dict[str, Value] = {}
         self._parsed_put: dict[str, Content] = {}
         self._read: dict[str, tuple[Content, tuple[Finding, ...]]] = {}
 

@@ -155,8 +155,8 @@ def _copied(machine: Machine, value: Value, known: dict[int, Value], depth: int)
         most = _APART if depth == 0 else 1
         copies: list[Value] = []
         for alike in _alike(machine, found):
-            several = most < len(alike) and depth < _DEEPEST
-            one = _copy_of_several(machine, alike, known, depth) if several else None
+            too_many = most < len(alike) and depth < _DEEPEST
+            one = _copy_of_several(machine, alike, known, depth) if too_many else None
             copies += [_copied(machine, option, known, depth) for option in alike] if one is None else [one]
         return join_all(copies)
     if value.__class__ is Tuple:

@@ -42,9 +42,7 @@ def dump(data, stream=None, *args, **kwds):
     _written(stream, _dumped(data, **kwds, **({'Dumper': args[0]} if args else {})) if isinstance(stream, WrittenFile) else None)
 @sink("file")
 def safe_dump(data, stream=None, *args, **kwds):
-    if stream is None:
-        return _dumped(data, **kwds, **({'Dumper': args[0]} if args else {}))
-    _written(stream, _dumped(data, **kwds, **({'Dumper': args[0]} if args else {})) if isinstance(stream, WrittenFile) else None)
+    return dump(data, stream, *args, **kwds)
 @sink("file")
 def dump_all(documents, stream=None, *args, **kwds):
     if stream is None:
