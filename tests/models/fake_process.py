@@ -70,6 +70,7 @@ class FakeProcess:
         self.asked: set[tuple[str, str, str]] = set()
         self.raised = 0
         self.choosing = False
+        self.is_alternative = False
         self.language_name = "python"
         self.via: str | None = None
         self.handled: Value = NONE

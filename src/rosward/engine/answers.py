@@ -287,6 +287,11 @@ class Answers:
         return not any(f.uncertain for f in self.frames)
 
     @property
+    def is_alternative(self: Engine) -> bool:
+        """Whether what runs is done for one of several alternatives, so that it may not be what is done."""
+        return bool(self.precision.apart)
+
+    @property
     def language_name(self: Engine) -> str:
         """The name of the language that runs."""
         return self.language.name

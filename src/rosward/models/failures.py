@@ -17,8 +17,14 @@ if TYPE_CHECKING:
 
 
 def fail(machine: Machine, cls: Value, message: str, args: tuple[Value, ...]) -> Value:
-    """The library raises `cls(*args)` here; returns `UNBOUND`, since nothing follows on this path."""
+    """The library raises `cls(*args)` here; returns `UNBOUND`, since nothing follows on this path.
+
+    Where that is so of one of several alternatives, as of a node that may be another one, nothing is told.
+    """
     exception = machine.call(cls, args)
+    if machine.is_alternative:
+        machine.throw(exception)
+        return UNBOUND
     finding = Finding("RW209", message, machine.place)
     for each in options(exception):
         if isinstance(each, Ref):

@@ -71,6 +71,10 @@ class Machine(Execution, Protocol):
     """How many exceptions were raised so far: a call in which it grows is not remembered."""
 
     @property
+    def is_alternative(self) -> bool:
+        """Whether what runs is done for one of several alternatives, so that it may not be what is done."""
+
+    @property
     def language_name(self) -> str:
         """The name of the language that runs, as `ir.program` has it."""
 

@@ -17,8 +17,12 @@ class _Container(argparse._ActionsContainer):
         self._actions = []
         self._defaults = {}
 
-def _declare(function, flags, default, type, required, multiple, is_flag, nargs):
+def _declare(function, flags, default, type, required, multiple, is_flag, nargs, expose_value=True, callback=None):
     target = function if isinstance(function, (_Optioned, Command)) else _Optioned(function, _Container())
+    if callback is not None:
+        escape(callback)
+    if not expose_value:
+        return target
     if is_flag:
         target._container.add_argument(*flags, action='store_true')
     else:
@@ -26,13 +30,13 @@ def _declare(function, flags, default, type, required, multiple, is_flag, nargs)
         target._container.add_argument(*flags, default=default, type=type if callable(type) else None, required=required, nargs=many)
     return target
 
-def option(*param_decls, cls=None, default=None, type=None, required=False, multiple=False, is_flag=False, nargs=1, **attrs):
+def option(*param_decls, cls=None, default=None, type=None, required=False, multiple=False, is_flag=False, nargs=1, expose_value=True, callback=None, **attrs):
     def decorate(function):
-        return _declare(function, param_decls, default, type, required, multiple, is_flag, nargs)
+        return _declare(function, param_decls, default, type, required, multiple, is_flag, nargs, expose_value, callback)
     return decorate
-def argument(*param_decls, cls=None, default=None, type=None, required=True, nargs=1, **attrs):
+def argument(*param_decls, cls=None, default=None, type=None, required=True, nargs=1, expose_value=True, callback=None, **attrs):
     def decorate(function):
-        return _declare(function, param_decls, default, type, required and default is None, False, False, nargs)
+        return _declare(function, param_decls, default, type, required and default is None, False, False, nargs, expose_value, callback)
     return decorate
 
 class Context:
