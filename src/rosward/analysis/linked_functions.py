@@ -53,8 +53,11 @@ class LinkedFunction(NamedTuple):
 def creating_functions(program: CppSymbols, file: FileSymbols, creating: frozenset[str]) -> tuple[LinkedFunction, ...]:
     """Those of one of the files of a program."""
     wanted = re.compile(rb"\b(?:" + "|".join(map(re.escape, sorted(creating | CREATORS))).encode() + rb")\b")
-    names = {each.arguments[0] for each in file.parsed.prepared.registrations if each.arguments}
-    plugins = {"::".join(filter(None, (*s.scope, s.name))) for name in names for s in program.registered_class(name)}
+    plugins = {
+        "::".join(filter(None, (*s.scope, s.name)))
+        for name in program.registered  # by this file, or by a header
+        for s in program.registered_class(name)
+    }
     found: list[LinkedFunction] = []
     for symbol in file.functions(wanted):
         whole = next((s for s in program.at(symbol.scope, symbol.name) if s.key == symbol.key), symbol)
