@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Collection
 from typing import Final
 
-from rosward.analysis.linked_functions import CREATORS
+from rosward.analysis.linked_functions import CREATORS, NODES
 from rosward.findings import Finding
 from rosward.records import NamedTuple
 from rosward.source.cmake.programs import Builds, Unit
@@ -51,7 +51,7 @@ def unlinked_libraries(
     """
     taken = set(linked)
     there = {os.fspath(file.path) for file in workspace.cpp_sources}
-    said = re.compile(rf"\b(?:{'|'.join(map(re.escape, sorted({*creating, *CREATORS})))})\b")
+    said = re.compile(rf"\b(?:{'|'.join(map(re.escape, sorted({*creating, *CREATORS})))})\b|{NODES}")
     found: list[Unlinked] = []
     for package in workspace.packages:
         for library in builds.libraries(package.name):
