@@ -142,9 +142,10 @@ class Compiled:
         programs = {**self._kept, **self._linked}
         loads = any(programs[name].loads for name in self._planned if name in programs)
         taken = {unit.path for planned in self._planned.values() for unit in planned.units}
-        taken |= {unit.path for unit in self._described.units} if loads else set()
+        described = frozenset([unit.path for unit in self._described.units])
+        taken |= described if loads else set()
         found = guarded(
-            lambda: unlinked_libraries(self._workspace, self._builds, taken, self._headers.read, creating),
+            lambda: unlinked_libraries(self._workspace, self._builds, taken, self._headers.read, creating, described),
             Place(""),
             "libraries in C++ are not looked at",
             net=self._net,

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rosward.frontends.cpp.symbol_file import FileSymbols
     from rosward.frontends.cpp.symbols import CppSymbols
 
-__all__ = ["CREATORS", "LinkedCreation", "LinkedFunction", "creating_functions"]
+__all__ = ["CREATORS", "NODES", "LinkedCreation", "LinkedFunction", "creating_functions"]
 
 
 CREATORS: Final = frozenset(
@@ -26,6 +26,9 @@ CREATORS: Final = frozenset(
 )
 _LIBRARIES: Final = frozenset({"tf2_ros", "message_filters", "rclcpp_action"})
 """Classes and functions that create entities on a node that they are given, and the name spaces in which they are."""
+NODES: Final = r"Node\s*::\s*make_shared|make_(?:shared|unique)\s*<\s*(?:\w+\s*::\s*)*(?:Lifecycle)?Node\s*>"
+"""How the text of a source looks that makes a node."""
+_NODES: Final = frozenset({"Node", "LifecycleNode"})
 
 
 class LinkedCreation(NamedTuple):
@@ -52,9 +55,14 @@ class LinkedFunction(NamedTuple):
 
 def creating_functions(program: CppSymbols, file: FileSymbols, creating: frozenset[str]) -> tuple[LinkedFunction, ...]:
     """Those of one of the files of a program."""
-    wanted = re.compile(rb"\b(?:" + "|".join(map(re.escape, sorted(creating | CREATORS))).encode() + rb")\b")
-    names = {each.arguments[0] for each in file.parsed.prepared.registrations if each.arguments}
-    plugins = {"::".join(filter(None, (*s.scope, s.name))) for name in names for s in program.registered_class(name)}
+    wanted = re.compile(
+        rb"\b(?:" + "|".join(map(re.escape, sorted(creating | CREATORS))).encode() + rb")\b|" + NODES.encode()
+    )
+    plugins = {
+        "::".join(filter(None, (*s.scope, s.name)))
+        for name in program.registered  # by this file, or by a header
+        for s in program.registered_class(name)
+    }
     found: list[LinkedFunction] = []
     for symbol in file.functions(wanted):
         whole = next((s for s in program.at(symbol.scope, symbol.name) if s.key == symbol.key), symbol)
@@ -80,6 +88,7 @@ def _creations(code: Code, creating: frozenset[str]) -> Iterator[tuple[Code, str
     waiting = [code]
     while waiting:
         body = waiting.pop()
+        types: dict[int, str] = {}  # the nodes of rclcpp that are named as a type, by register
         for op in walk(body.ops):
             if isinstance(op, MakeLambda):
                 waiting.append(op.code)
@@ -87,6 +96,20 @@ def _creations(code: Code, creating: frozenset[str]) -> Iterator[tuple[Code, str
                 yield body, op.name, op
             elif isinstance(op, Name) and (op.parts[-1].name in creating or _is_creator(op)):
                 yield body, op.parts[-1].name, op
+            elif isinstance(op, Name) and (node := _node_made(op, types)):
+                yield body, node, op
+
+
+def _node_made(op: Name, types: dict[int, str]) -> str:
+    """The class of the node that a name makes where it is called: `rclcpp::Node::make_shared`, `std::make_shared<rclcpp::Node>`."""
+    names = [part.name for part in op.parts]
+    if names[-1] in _NODES:
+        types[op.dst] = names[-1]
+    if names[-1] not in ("make_shared", "make_unique"):
+        return ""
+    if names[-2:-1] and names[-2] in _NODES:
+        return names[-2]
+    return next((types[a] for a in op.parts[-1].arguments or () if a in types), "")
 
 
 def _is_creator(op: Name) -> bool:

@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Collection
 from typing import Final
 
-from rosward.analysis.linked_functions import CREATORS
+from rosward.analysis.linked_functions import CREATORS, NODES
 from rosward.findings import Finding
 from rosward.records import NamedTuple
 from rosward.source.cmake.programs import Builds, Unit
@@ -43,11 +43,15 @@ def unlinked_libraries(
     linked: Collection[str],
     read: Callable[[str], str | Finding],
     creating: Collection[str],
+    described: frozenset[str],
 ) -> list[Unlinked]:
-    """Those with a source that is not among the `linked` ones, and that says the name of something that creates an entity."""
+    """Those with a source that is not among the `linked` ones, and that says the name of something that creates an entity.
+
+    `described` are the sources of the classes that a file of plugins describes.
+    """
     taken = set(linked)
     there = {os.fspath(file.path) for file in workspace.cpp_sources}
-    said = re.compile(rf"\b(?:{'|'.join(map(re.escape, sorted({*creating, *CREATORS})))})\b")
+    said = re.compile(rf"\b(?:{'|'.join(map(re.escape, sorted({*creating, *CREATORS})))})\b|{NODES}")
     found: list[Unlinked] = []
     for package in workspace.packages:
         for library in builds.libraries(package.name):
@@ -55,7 +59,7 @@ def unlinked_libraries(
             texts = [text for text in map(read, own) if isinstance(text, str)]
             if any(map(said.search, texts)):
                 name = f"{package.name}/{library.name} as a library"
-                loadable = any(map(_LOADABLE.search, texts))
+                loadable = any(map(_LOADABLE.search, texts)) or not described.isdisjoint(own)
                 found.append(Unlinked(name, place_name(own[0], workspace.root), library.units, loadable))
                 taken.update(own)
     return found

@@ -86,6 +86,7 @@ class Frame:
     `context` identifies the chain of calls and loop turns that led here; objects made at one place in different contexts are different.
     `op` is the operation that is running.
     `fresh` is what the last call gave by value, so that nobody else has it; `handed` is that of an argument of the call that runs.
+    `returned` is what the last call gave by reference, and the function that did.
     `uncertain` counts the enclosing branches of which it is not known whether they run. Where a generator runs, `yielded` collects what it
     gives, and `turns` holds for each loop that is running, by the number of the operation, its turn and what it keeps between two of them.
     """
@@ -102,6 +103,7 @@ class Frame:
         "namespace",
         "op",
         "registers",
+        "returned",
         "seen",
         "sequence",
         "stub",
@@ -126,6 +128,7 @@ class Frame:
         self.uncertain = 0
         self.fresh: Value = UNBOUND
         self.handed: Value = UNBOUND
+        self.returned: tuple[Value, Function] | None = None
         self.yielded: Yielded | None = None
         self.seen: Activation | None = None  # what is noted of it, where somebody watches
         self.turns: dict[int, tuple[Any, ...]] = {}

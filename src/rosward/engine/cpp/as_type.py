@@ -19,6 +19,7 @@ from rosward.engine.cpp.constructors import constructors, least
 from rosward.engine.cpp.converting import as_value, buffer, by_operator, cast, derives, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, is_message, pointee
 from rosward.ir.arithmetic import UNSIGNED
 from rosward.models.cpp.conversions import convert as convert_plain
@@ -28,9 +29,10 @@ from rosward.models.cpp.owners import as_pointer
 from rosward.models.cpp.slots import read
 
 if TYPE_CHECKING:
+    from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
 
-__all__ = ["as_one", "convert", "is_of_another"]
+__all__ = ["as_one", "convert", "copy_of_result", "is_of_another"]
 
 
 def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
@@ -111,6 +113,19 @@ def as_one(machine: Engine, value: Value, type_: Value) -> Value:
         return make(machine, type_, (option,), "copy") if sliced else copied(machine, option)
 
     return lift(one, read(machine, value))
+
+
+def copy_of_result(machine: Engine, frame: Frame, value: Value) -> Value:
+    """A copy of what a call gives by reference: of the type that the function is declared with."""
+    if frame.returned is not None and frame.returned[0] == value and value.__class__ in (Ref, Choice):
+        function = frame.returned[1]
+        symbol = linked(machine).declared[function.code.key]
+        type_ = (
+            evaluate(machine, symbol.type, function.module) if symbol.type is not None and not symbol.template else NONE
+        )
+        if is_of_another(machine, value, type_):
+            return as_one(machine, value, type_)
+    return copied(machine, value)
 
 
 def _message_of(machine: Engine, value: Value, type_: Value) -> Value:

@@ -27,13 +27,14 @@ from rosward.engine.cpp.handing import decayed, hand_over, is_member
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.opaque import opaque
-from rosward.engine.cpp.overloading import choose, fitting
+from rosward.engine.cpp.overloading import choose, fitting, takes
 from rosward.engine.cpp.specialising import specialised
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, type_of
-from rosward.engine.cpp.values import function_of, overloads
+from rosward.engine.cpp.values import function_of, overloads, used
 from rosward.engine.escape import name_of
 from rosward.engine.python import calls as python_calls
+from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.boxes import is_box, unboxed
 from rosward.models.cpp.c_functions import C_FUNCTIONS
 from rosward.models.cpp.slots import read
@@ -113,6 +114,8 @@ def _of_several(
 ) -> Value:
     given = args
     functions: Sequence[Function] = several.functions
+    if several.receiver is None and functions:
+        functions = _without_object(functions, len(args))
     if several.receiver is None and functions and _leads(functions[0]):  # a member function without its object
         overridden = _overridden(machine, several, args)
         if overridden:
@@ -120,6 +123,9 @@ def _of_several(
         given = args[1:]
     if several.receiver is None and args:
         functions = _of_arguments(machine, several, args) or functions
+        library = _of_using(machine, several)
+        if library is not None and not fitting(machine, functions, args):
+            return invoke(machine, library, args, types, keywords)
     chosen = choose(machine, functions, given, types)
     if not chosen:
         return unknown_call(machine, External(several.name), args, types)
@@ -131,6 +137,14 @@ def _of_several(
     if several.receiver is None and guessing.is_guess(machine, chosen, args):
         return guessing.each(machine, several.name, chosen, args, one)
     return one(chosen[0]) if len(chosen) == 1 else each_apart(machine, list(chosen), one)
+
+
+def _without_object(functions: Sequence[Function], count: int) -> Sequence[Function]:
+    """Those that are meant where nobody gives an object, as in `C::f(a, b)`: static ones, where one takes so many."""
+    static = [f for f in functions if not _leads(f)]
+    return (
+        static if len(static) < len(functions) and any(takes(f.code.signature, count, 0) for f in static) else functions
+    )
 
 
 _NESTED: Final = 4
@@ -151,6 +165,19 @@ def _of_arguments(machine: Engine, several: Overloads, args: Arguments) -> list[
     if not others or fitting(machine, several.functions, args):
         return []
     return fitting(machine, others, args)
+
+
+def _of_using(machine: Engine, several: Overloads) -> Value | None:
+    """The function of a library that a namespace has under the name of functions of its own: `using std::to_string;`."""
+    first = several.functions[0] if several.functions else None
+    if first is None or linked(machine).info(first.module) is not None:
+        return None
+    here = linked(machine).scope_of(first.module)
+    found = names.in_namespace(machine, here, several.name.rpartition(".")[2], first.code.file)
+    if found is None:
+        return None
+    named = (used(machine, found, s) for s in found.symbols if s.kind is SymbolKind.USING)
+    return next((each for each in named if isinstance(each, External)), None)
 
 
 def _overridden(machine: Engine, several: Overloads, args: Arguments) -> list[Value]:
@@ -185,7 +212,11 @@ def call_function(
     with _seen_as(machine, function, registers):
         value = unaware.run(machine, function, registers)
     signature = function.code.signature
-    return value if signature is not None and signature.reference else _fresh(machine, value)
+    if signature is None or not signature.reference:
+        return _fresh(machine, value)
+    if machine.frames:
+        machine.frames[-1].returned = value, function
+    return value
 
 
 @contextmanager

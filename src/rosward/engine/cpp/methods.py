@@ -102,6 +102,16 @@ def _takes_place(machine: Engine, value: Value, name: str) -> bool:
     return not known or known[0] in OF_PLACES
 
 
+def _is_apart(machine: Engine, ref: Ref) -> bool:
+    """Whether the bases that nobody knows know nothing of an object but what is theirs: they are told of no class that derives from them.
+
+    What the object overrides of them they may call from its construction on.
+    """
+    cls = machine.part(ref, KIND).cls
+    told = (a for b in (cls.mro if isinstance(cls, Class) else ()) if isinstance(b, TypeOf) for a in b.arguments)
+    return not any(isinstance(each, Class) for each in told)
+
+
 _OF_VARIANTS: Final = frozenset({"index", "emplace", "valueless_by_exception"})
 
 
@@ -130,7 +140,8 @@ def _of_one(
         if function is None:
             function = access.member(machine, frame, value, name, types, own=own)
         if isinstance(function, External | Unknown) and isinstance(value, Ref):
-            return calls.unknown_call(machine, function, (value, *args), types)
+            given = args if isinstance(function, External) and _is_apart(machine, value) else (value, *args)
+            return calls.unknown_call(machine, function, given, types)
         if isinstance(function, Overloads):
             function = of_constness(function, constant=constant)
         return calls.invoke(machine, access.value(machine, function), args, types)

@@ -212,7 +212,7 @@ def _result(machine: Engine, frame: Frame, op: cpp.Invoke | cpp.InvokeMember, va
     """What a call gives: a copy of it, where it may be a reference and a value is wanted."""
     frame.op, frame.sequence = op, 0
     is_copied = op.copied and value is not UNBOUND and value != frame.fresh
-    return _kept(frame, op.dst, copied(machine, value) if is_copied else value)
+    return _kept(frame, op.dst, as_type.copy_of_result(machine, frame, value) if is_copied else value)
 
 
 def _make_lambda(machine: Engine, op: cpp.MakeLambda, frame: Frame) -> None:

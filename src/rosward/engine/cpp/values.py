@@ -25,7 +25,7 @@ from rosward.models.cpp.conversions import default_value
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["constant", "function_of", "overloads", "value_of", "variable", "versions"]
+__all__ = ["constant", "function_of", "overloads", "used", "value_of", "variable", "versions"]
 
 _DEPTH: Final = 20
 
@@ -37,7 +37,7 @@ def value_of(machine: Engine, found: Found | Value, types: tuple[Value, ...] | N
     first = found.symbols[0]
     if first.kind is SymbolKind.CLASS:
         return class_of(machine, found, types)
-    if first.kind is SymbolKind.FUNCTION:
+    if first.kind is SymbolKind.FUNCTION or (first.kind is SymbolKind.USING and _has_functions(found)):
         return overloads(machine, found, types or ())
     if first.kind is SymbolKind.VARIABLE:
         slot = variable(machine, found, types)
@@ -51,6 +51,11 @@ def value_of(machine: Engine, found: Found | Value, types: tuple[Value, ...] | N
     if first.kind is SymbolKind.ALIAS:
         return join_all(_alias(machine, symbol, found.env, types) for symbol in versions(found.symbols, first))
     return _using(machine, found, first, types)
+
+
+def _has_functions(found: Found) -> bool:
+    """Whether there are functions beside those that a `using lib::f;` or `using Base::f;` names."""
+    return any(s.kind is SymbolKind.FUNCTION for s in found.symbols)
 
 
 def versions(symbols: Sequence[Symbol], first: Symbol) -> list[Symbol]:
@@ -82,6 +87,11 @@ def constant(machine: Engine, symbol: Symbol, env: ModuleValue) -> Value:
 
 def _using(machine: Engine, found: Found, symbol: Symbol, types: tuple[Value, ...] | None) -> Value:
     """What a `using a::b` names."""
+    return value_of(machine, used(machine, found, symbol, types), types)
+
+
+def used(machine: Engine, found: Found, symbol: Symbol, types: tuple[Value, ...] | None = None) -> Found | Value:
+    """What is declared under the name of a `using a::b`; External where nothing is."""
     target = symbol.target
     absolute = target[:1] == ("",)
     words = target[1:] if absolute else target
@@ -89,13 +99,12 @@ def _using(machine: Engine, found: Found, symbol: Symbol, types: tuple[Value, ..
         base = linked(machine).info(evaluate(machine, symbol.code, found.env))
         inherited = names.in_class(machine, base, symbol.name) if base is not None else None
         if inherited is not None:
-            return value_of(machine, inherited, types)
+            return inherited
     outer = names.outer_of(machine, found.env) if len(words) == 1 else found.env
     parts = [names.Part(w) for w in words[:-1]] + [names.Part(words[-1], types)]
     resolved = names.resolve(machine, outer or found.env, parts, absolute=absolute)
-    if isinstance(resolved, Found) and resolved.symbols[0] is symbol:
-        return External(".".join(words))
-    return value_of(machine, resolved, types)
+    is_itself = isinstance(resolved, Found) and symbol in resolved.symbols
+    return External(".".join(words)) if is_itself else resolved
 
 
 def variable(machine: Engine, found: Found, types: tuple[Value, ...] | None = None) -> Value:
@@ -184,15 +193,14 @@ def overloads(machine: Engine, found: Found, types: tuple[Value, ...], receiver:
 
 
 def _functions(machine: Engine, found: Found, depth: int = 0) -> Iterator[tuple[Symbol, ModuleValue]]:
-    """The functions of a name with their scopes: also those that a class has by `using Base::name`."""
+    """The functions of a name with their scopes: also those that it has by `using Base::name` and `using lib::name`."""
     for symbol in found.symbols:
         if symbol.kind is SymbolKind.FUNCTION:
             yield symbol, found.env
-        elif symbol.kind is SymbolKind.USING and found.owner is not None and symbol.code is not None and depth < _DEPTH:
-            base = linked(machine).info(evaluate(machine, symbol.code, found.env))
-            inherited = names.in_class(machine, base, symbol.name) if base is not None else None
-            if inherited is not None:
-                yield from _functions(machine, inherited, depth + 1)
+        elif symbol.kind is SymbolKind.USING and depth < _DEPTH and (found.owner is None or symbol.code is not None):
+            named = used(machine, found, symbol)
+            if isinstance(named, Found):
+                yield from _functions(machine, named, depth + 1)
 
 
 def function_of(machine: Engine, symbol: Symbol, env: ModuleValue) -> Function:

@@ -7,7 +7,9 @@ public slots:                            public      :
 emit changed(x);                              changed(x);
 (p->*f)(1), o.*m;                        (p%~~f)(1), o%~m;
 bool Lamp::*on;                          bool       *on;
+int (Lamp::*f)() const noexcept;         int (*      f)()               ;
 va_arg(given, char *)                    va_arg(given, 0     )
+typeid(unsigned int)                     typeid($nsigned$int)
 int (Lamp::*f)(int)                      int (*      f)(int)
 p->template set("a", 1);                 p->         set("a", 1);
 a ? b : throw E();                       a ? b : ~~~~~ E();
@@ -54,8 +56,19 @@ _MEMBER_POINTER: Final = re.compile(
     r"(?<=\()(\s*)((?:\w+::)+)\*(?=\s*\w*\s*(?:\[\w*\]\s*)?\)\s*\()"  # of a function
     r"|(?<=[\w>])(\s+)((?:\w+::)+)\*(?=\s*\w*\s*[;=,)>\[{])"  # of a field
 )
+_MEMBER_QUALIFIED: Final = re.compile(
+    r"(\(\s*(?:\w+::)+\*\s*\w*\s*\)\s*\((?:[^;{}()]|\([^;{}()]{0,200}\)){0,300}\))"
+    r"((?:\s*\b(?:const|volatile|noexcept)\b)+|\s*&{1,2}(?=\s*[;,)>=]))"
+)
 _MEMBER_OPERATOR: Final = re.compile(rf"{LITERAL}|[A-Za-z_]\w*|\.?\d(?:[eEpP][+-]|'?[\w.])*|\.\.\.|->\*|\.\*")
 _VA_ARG: Final = re.compile(r"(?<=\bva_arg\()(\s*\w+\s*,\s*)([\w: ]+[*& ]*)(?=\))")
+_BUILTIN = (
+    r"(?:void|bool|char|short|int|long|float|double|unsigned|signed|u?int(?:8|16|32|64)_t|size_t)"
+    r"(?:\s(?:char|short|int|long|double|unsigned|signed)){0,3}"
+)
+_TYPES: Final = re.compile(_BUILTIN)
+_TYPEID: Final = re.compile(rf"(?<=\btypeid\()(\s*)({_BUILTIN})(?=\s*\))")
+_FIRST: Final = "bcdfilsuv"
 _THROW: Final = re.compile(r"(\?[^?;{}]{0,300}:|\?)(\s*)throw\b")
 
 _UNNAMED: Final = re.compile(r"\*[ \t](?=\s*=\s*(?:nullptr|NULL|0)\s*[,>])")
@@ -107,6 +120,8 @@ THROW: Final = "~~~~~"
 """What stands for a `throw` that is an operand: an operator that nobody writes."""
 OPERATOR: Final = "operato$"
 """What begins the name of a member that stands for an operator."""
+TYPE: Final = "$"
+"""What begins the name that stands for a builtin type, in place of its first letter."""
 _SIGNS: Final = dict(zip("()[]-+*/%^&|~!=<>", "LRBKMPSDQCAOTNEUG", strict=True))
 _MEANT: Final = {letter: sign for sign, letter in _SIGNS.items()}
 MEMBER: Final = {".*": "%~", "->*": "%~~"}
@@ -120,6 +135,8 @@ def suited(text: str) -> str:
     text = _members(text)
     if "va_arg" in text:
         text = _VA_ARG.sub(lambda found: f"{found[1]}0{' ' * (len(found[2]) - 1)}", text)
+    if "typeid" in text:
+        text = _TYPEID.sub(lambda found: found[1] + TYPE + re.sub(r"\s", TYPE, found[2][1:]), text)
     if "throw" in text:
         text = _THROW.sub(lambda found: found[1] + found[2] + THROW, text)
     if "new" in text:
@@ -155,6 +172,7 @@ def suited(text: str) -> str:
 def _members(text: str) -> str:
     """The text with pointers to members, and operators that are called by their names, as other names and operators."""
     if "::*" in text:
+        text = _MEMBER_QUALIFIED.sub(lambda found: found[1] + blank(found[2]), text)
         text = _MEMBER_POINTER.sub(_plain_pointer, text)
     if "->*" in text or ".*" in text:
         text = _MEMBER_OPERATOR.sub(lambda found: MEMBER.get(found[0], found[0]), text)
@@ -165,6 +183,12 @@ def operator_meant(name: str) -> str:
     """`operator()` for the `operato$LR` that stands for it."""
     signs = name[len(OPERATOR) :]
     return f"operator {signs}" if signs.islower() else "operator" + "".join(_MEANT.get(each, "") for each in signs)
+
+
+def type_meant(name: str) -> str:
+    """`unsigned int` for the `$nsigned$int` that stands for it."""
+    rest = name[1:].replace(TYPE, " ")
+    return next(f"{first}{rest}" for first in _FIRST if _TYPES.fullmatch(f"{first}{rest}"))
 
 
 def _named_operator(found: re.Match[str]) -> str:

@@ -151,7 +151,7 @@ def between(machine: Machine, first: Value, last: Value, *, slots: bool = False)
         return whole.without(start)
     if start is not None and stop is not None and a.kind == "item" and start <= stop <= len(whole.head):
         return Series(whole.head[start:stop])
-    return whole.loose()
+    return (whole.without(start) if start is not None and a.kind == "item" else whole).loose()
 
 
 def _same_base(a: Value, b: Value) -> bool:

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 _DEPTH: Final = 12
 _SUFFIXES: Final[Mapping[str, str]] = {"u": UNSIGNED, "l": "long", "ll": "long", "z": "long"}
+WRAPPING: Final = frozenset({"bool", "short", "unsigned short", UNSIGNED, WIDE})
+"""Types of whole numbers that begin again where they end, of those that `auto` may stand for."""
 _SIZES: Final = frozenset({"size", "length"})
 
 
@@ -43,7 +45,11 @@ def type_written(body: Body, node: Node | None, depth: int = 0) -> str:
     if node.type == "binary_expression" and operator_of(node) in ("+", "-", "*", "/", "%"):
         left, right = (type_written(body, node.child_by_field_name(name), depth + 1) for name in ("left", "right"))
         return common(left, right)
+    if node.type == "compound_literal_expression":  # `uint16_t{7}`
+        return same_type(builtin(node.child_by_field_name("type")))
     function = node.child_by_field_name("function") if node.type == "call_expression" else None
+    if function is not None and builtin(function):  # `uint16_t(7)`
+        return same_type(builtin(function))
     if function is not None and function.type == "template_function":
         listed = function.child_by_field_name("arguments")
         if word(function.child_by_field_name("name")) == "static_cast" and listed is not None and listed.named_children:

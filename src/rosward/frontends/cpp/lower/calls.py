@@ -18,8 +18,9 @@ from rosward.frontends.cpp.lower.seen import declared, is_constant
 from rosward.frontends.cpp.lower.survey import through_member, through_number, word
 from rosward.frontends.cpp.lower.types import REFERENCES, TYPES, has, type_of
 from rosward.frontends.cpp.macros import EITHER
+from rosward.frontends.cpp.suited import TYPE, type_meant
 from rosward.ir.core import NO_REGISTER
-from rosward.ir.cpp import Argued, Assign, Convert, Invoke, InvokeMember, Read, TypeOfValue
+from rosward.ir.cpp import Argued, Assign, Convert, Invoke, InvokeMember, MakeType, Read, TypeOfValue
 from rosward.ir.op import Block
 
 if TYPE_CHECKING:
@@ -248,7 +249,12 @@ def _typeid(body: Body, node: Node, listed: Node | None, _want: Want) -> int:
     inner = listed.named_children if listed is not None else []
     if len(inner) != 1:
         return body.unknown(node, "syntax")
-    src = body.slot(inner[0])
+    name = word(inner[0])
+    if name.startswith(TYPE):
+        src = body.register()
+        body.emit(MakeType(*body.place(node), src, type_meant(name)))
+    else:
+        src = body.slot(inner[0])
     dst = body.register()
     body.emit(TypeOfValue(*body.place(node), dst, src))
     return dst

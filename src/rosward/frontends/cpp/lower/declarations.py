@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rosward.frontends.cpp.lower.arithmetic import WRAPPING, type_written
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.initialisers import Given, construct, given
 from rosward.frontends.cpp.lower.literals import is_of
@@ -138,6 +139,12 @@ def _one(
     characters = not reference and is_text_array(type_node, shape, const=has_const(node))
     is_auto = type_node is None or type_node.type in _AUTO
     whole = over(body, what) if is_auto and what is not None and not isinstance(what, Given) else None
+    if (
+        is_auto
+        and not (reference or points or static or isinstance(what, Given))
+        and (wraps := type_written(body, what)) in WRAPPING
+    ):
+        number = wraps
     found = body.declare(
         name,
         reference=reference or static,

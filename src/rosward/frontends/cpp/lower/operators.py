@@ -233,14 +233,19 @@ def _assignment(body: Body, node: Node, want: Want) -> int:
             found = body.register()
             body.emit(Binary(*body.place(node), found, operator[:-1], variable.register, src, inplace=True))
             src = found
-        literal = right if operator == "=" or variable.builtin not in _CONVERTED else None
+        literal = right if operator == "=" or not _leaves(variable, operator) else None
         body.move(node, variable.register, _converted(body, node, variable, literal, src))
         return variable.register
     target = body.variable(word(left)) if left is not None and left.type == "identifier" else None
     if target is not None and target.raw:
         target = None
     slot = body.slot(left)
-    if target is not None and operator != "=" and target.builtin and not is_of(target.builtin, right):
+    if (
+        target is not None
+        and operator != "="
+        and target.builtin
+        and (_leaves(target, operator) or not is_of(target.builtin, right))
+    ):
         before, found = body.register(), body.register()
         body.emit(Read(*body.place(node), before, slot))
         body.emit(Binary(*body.place(node), found, operator[:-1], before, src, inplace=True))
@@ -285,8 +290,10 @@ def _update(body: Body, node: Node, want: Want) -> int:
 
 
 def _leaves(variable: Variable, operator: str) -> bool:
-    """Whether `++` or `--` may lead out of what the type of a variable holds."""
-    return variable.builtin in _CONVERTED - _FLOATS or (operator == "--" and variable.builtin in _UNSIGNED)
+    """Whether `++`, `-=` and the like may lead out of what the type of a variable holds."""
+    if variable.builtin in _FLOATS:
+        return len(operator) == 2 and operator[1] == "="
+    return variable.builtin in _CONVERTED or (operator[0] == "-" and variable.builtin in _UNSIGNED)
 
 
 def _pointer(body: Body, node: Node, want: Want) -> int:

@@ -11,10 +11,11 @@ from typing import Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, lift, options
+from rosward.domain.compound import External
 from rosward.domain.slots import Pointer
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Const, Ref, Text, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.cpp.callables import function_behind
 from rosward.models.cpp.ros.handed import NODE, given, node_of, target_of
 from rosward.models.cpp.slots import read, read_field
@@ -155,7 +156,13 @@ def _node_behind(call: NativeCall) -> Value:
 
 
 def _spun(call: NativeCall) -> Value:
-    return entities.NATIVES["_rosward.spun"](call._replace(args=(node_of(call, call.args[0]),)))
+    def seen(option: Value) -> Value:
+        """What is spun as one of a base that nobody knows may be a node by that."""
+        cls = call.machine.obj(option).cls if isinstance(option, Ref) else NONE
+        bases = cls.mro if isinstance(cls, Class) else ()
+        return next((b for b in bases if isinstance(b, External) and not b.name.startswith("std.")), option)
+
+    return entities.NATIVES["_rosward.spun"](call._replace(args=(lift(seen, node_of(call, call.args[0])),)))
 
 
 def _spin(call: NativeCall) -> Value:

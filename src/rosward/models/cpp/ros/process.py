@@ -16,10 +16,11 @@ from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import readable
 from rosward.domain.unknown import OTHERS, Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Unknown, Value
+from rosward.models.cpp.elements import series_of
 from rosward.models.cpp.ros.handed import NOTHING, given, target_of
 from rosward.models.cpp.slots import read
 from rosward.models.launch import natives as launch
-from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.ros import effects
 from rosward.models.ros.given_words import keep_line
 
@@ -40,7 +41,7 @@ def _words(call: NativeCall, index: int) -> Value:
         while isinstance(option, Pointer):
             option = option.target  # noqa: PLW2901 - from a pointer to where it leads
         if isinstance(option, Slot):
-            option = option.base if option.kind == "item" else read(machine, option)  # noqa: PLW2901 - as above
+            option = _from(machine, option) if option.kind == "item" else read(machine, option)  # noqa: PLW2901 - as above
         if option == NONE:
             found.append(machine.new_list(()))
         elif isinstance(option, (Ref, Unknown, Tuple)):
@@ -48,6 +49,15 @@ def _words(call: NativeCall, index: int) -> Value:
         else:
             found.append(machine.unknown(Cause.ARGUMENT, "argv"))
     return join_all(found)
+
+
+def _from(machine: Machine, place: Slot) -> Value:
+    """The words from one of them on: what is left of an array after `++argv`."""
+    start = place.key.value if isinstance(place.key, Const) else 0
+    if not isinstance(start, int) or start < 1 or not isinstance(place.base, Ref):
+        return place.base
+    left = series_of(machine, place.base).without(start)
+    return machine.new_list(left.head, left.middle, left.tail)
 
 
 def _remove_ros_arguments(call: NativeCall) -> Value:

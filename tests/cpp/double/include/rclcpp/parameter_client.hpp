@@ -38,6 +38,13 @@ public:
     return rosward_double::subscription<rcl_interfaces::msg::ParameterEvent>(*node_, "/parameter_events", std::forward<F>(callback));
   }
 
+  template<typename N, typename F>
+  static Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr on_parameter_event(N && node, F && callback)
+  {
+    return rosward_double::subscription<rcl_interfaces::msg::ParameterEvent>(
+      *rosward_double::core_of(node), "/parameter_events", std::forward<F>(callback));
+  }
+
 private:
   AsyncParametersClient(rosward_double::Core & node, const std::string & remote);
   std::shared_ptr<rosward_double::Core> node_;
