@@ -8,13 +8,14 @@ file that no other imports, of which nothing else starts    probed: runs the fil
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import Final
 
 from rosward.analysis.source_tree import SourceTree
 from rosward.effects.entry import Entry
 from rosward.engine.library import Library
 from rosward.findings import Finding
+from rosward.frontends.python.loads import ANY
 from rosward.records import NamedTuple
 from rosward.ros.entities import assumed_label
 from rosward.source.standard_library import STANDARD_LIBRARY
@@ -70,7 +71,8 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
     """The processes of a workspace, in a fixed order, each with a label of its own."""
     files = {f.relative: f for f in workspace.files}
     importers: dict[str, set[str]] = {}
-    related = _related(files, sources, library, importers)
+    started = {e.file.relative for e in workspace.executables if e.file is not None}
+    related = _related(files, sources, library, importers, started)
     entries: list[Entry] = []
     covered: dict[str, set[str]] = {}
     for executable in workspace.executables:
@@ -118,31 +120,73 @@ def _distinct(entries: list[Entry]) -> list[Entry]:
 
 
 def _related(
-    files: dict[str, SourceFile], sources: SourceTree, library: Library, importers: dict[str, set[str]]
+    files: dict[str, SourceFile],
+    sources: SourceTree,
+    library: Library,
+    importers: dict[str, set[str]],
+    started: Container[str],
 ) -> set[str]:
     """The files whose imports lead, directly or through other files, to a modelled ROS library.
 
     Nothing else can create an entity: a node is made by rclpy only, an entity has a type. A file that cannot be read is not related.
-    `importers` gets the files that import each one.
+    `importers` gets the files that import each one. A file that loads modules by names that do not stand in it may load any that nothing
+    imports and nothing starts.
     """
     related: set[str] = set()
+    loaders: dict[str, set[str]] = {}
     for file in files:
         module = sources.module(file)
         if module is None:
             continue
         for name in module.imports:
+            if name.endswith(ANY):
+                loaders.setdefault(name[:-2].replace(".", "/"), set()).add(file)
+                continue
             top = name.lstrip(".").partition(".")[0]
             if not name.startswith(".") and (_is_ros(top, library) or _is_interfaces(name)):
                 related.add(file)
             for found in _follow(name, file, sources):
                 importers.setdefault(found, set()).add(file)
+    _spread(related, importers)
+    if loaders:
+        loading = _loading(related, loaders, importers, sources, started)
+        _spread(
+            related, {file: loading.get(file, set()) | importers.get(file, set()) for file in {*loading, *importers}}
+        )
+    return related & set(files)
+
+
+def _spread(related: set[str], importers: Mapping[str, set[str]]) -> None:
+    """What imports a file that can have to do with ROS can have to do with it."""
     work = list(related)
     while work:
         for file in importers.get(work.pop(), ()):
             if file not in related:
                 related.add(file)
                 work.append(file)
-    return related & set(files)
+
+
+def _loading(
+    related: set[str],
+    loaders: Mapping[str, set[str]],
+    importers: Mapping[str, set[str]],
+    sources: SourceTree,
+    started: Container[str],
+) -> dict[str, set[str]]:
+    """Which files may load each of those that have to do with ROS, by a name of which no more is known than the package: '' for any."""
+    found: dict[str, set[str]] = {}
+    for file in related:
+        module = sources.module(file)
+        alone = (
+            module is not None
+            and not module.has_main
+            and file not in started
+            and not importers.get(file, set()) - {file}
+        )
+        for package, by in loaders.items():
+            if alone if not package else f"/{package}/" in f"/{file}":
+                found.setdefault(file, set()).update(by)
+    return found
 
 
 def _follow(name: str, file: str, sources: SourceTree) -> Iterator[str]:
