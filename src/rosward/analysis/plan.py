@@ -33,7 +33,7 @@ class Plan(NamedTuple):
 
     entries: tuple[Entry, ...]
     files: dict[str, SourceFile]
-    related: frozenset[str] = frozenset()  # the files that can have to do with ROS
+    related: frozenset[str] = frozenset()  # the files whose imports can have to do with ROS
     findings: tuple[Finding, ...] = ()
     programs: tuple[
         Entry, ...
@@ -72,7 +72,7 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
     files = {f.relative: f for f in workspace.files}
     importers: dict[str, set[str]] = {}
     started = {e.file.relative for e in workspace.executables if e.file is not None}
-    related = _related(files, sources, library, importers, started)
+    importing, related = _related(files, sources, library, importers, started)
     entries: list[Entry] = []
     covered: dict[str, set[str]] = {}
     for executable in workspace.executables:
@@ -97,9 +97,9 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
             calls = sources.main_calls(module)
             if not (calls and calls <= covered.get(file, set())):
                 entries.append(_entry(files[file], file))
-        elif file not in covered and file not in imported:
+        elif file not in covered and file not in imported and file in importing:
             entries.append(_entry(files[file], file, probe=True))
-    return Plan(tuple(_distinct(entries)), files, frozenset(related))
+    return Plan(tuple(_distinct(entries)), files, frozenset(importing))
 
 
 def plain_plan(workspace: Workspace) -> Plan:
@@ -125,12 +125,12 @@ def _related(
     library: Library,
     importers: dict[str, set[str]],
     started: Container[str],
-) -> set[str]:
+) -> tuple[set[str], set[str]]:
     """The files whose imports lead, directly or through other files, to a modelled ROS library.
 
     Nothing else can create an entity: a node is made by rclpy only, an entity has a type. A file that cannot be read is not related.
     `importers` gets the files that import each one. A file that loads modules by names that do not stand in it may load any that nothing
-    imports and nothing starts.
+    imports and nothing starts: the files that are related only so, the first of the two results is without.
     """
     related: set[str] = set()
     loaders: dict[str, set[str]] = {}
@@ -148,12 +148,13 @@ def _related(
             for found in _follow(name, file, sources):
                 importers.setdefault(found, set()).add(file)
     _spread(related, importers)
-    if loaders:
-        loading = _loading(related, loaders, importers, sources, started)
-        _spread(
-            related, {file: loading.get(file, set()) | importers.get(file, set()) for file in {*loading, *importers}}
-        )
-    return related & set(files)
+    importing = set(related)
+    for package in sorted(loaders, key=bool, reverse=True):  # '' is the last
+        loading = _loading(related, package, importers, sources, started)
+        _spread(related, {**importers, **{file: importers.get(file, set()) | loaders[package] for file in loading}})
+        if package:
+            importing = set(related)
+    return importing & set(files), related & set(files)
 
 
 def _spread(related: set[str], importers: Mapping[str, set[str]]) -> None:
@@ -167,25 +168,21 @@ def _spread(related: set[str], importers: Mapping[str, set[str]]) -> None:
 
 
 def _loading(
-    related: set[str],
-    loaders: Mapping[str, set[str]],
-    importers: Mapping[str, set[str]],
-    sources: SourceTree,
-    started: Container[str],
-) -> dict[str, set[str]]:
-    """Which files may load each of those that have to do with ROS, by a name of which no more is known than the package: '' for any."""
-    found: dict[str, set[str]] = {}
+    related: set[str], package: str, importers: Mapping[str, set[str]], sources: SourceTree, started: Container[str]
+) -> list[str]:
+    """Which files that have to do with ROS may be meant by a name of which no more is known than the package; '': by any."""
+    if package:
+        return [file for file in related if f"/{package}/" in f"/{file}"]
+    found = []
     for file in related:
         module = sources.module(file)
-        alone = (
+        if (
             module is not None
             and not module.has_main
             and file not in started
             and not importers.get(file, set()) - {file}
-        )
-        for package, by in loaders.items():
-            if alone if not package else f"/{package}/" in f"/{file}":
-                found.setdefault(file, set()).update(by)
+        ):
+            found.append(file)
     return found
 
 

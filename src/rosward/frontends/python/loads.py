@@ -46,18 +46,18 @@ def _word(node: ast.expr) -> str:
 
 
 def _loaded(call: ast.Call) -> str:
-    name = call.args[0] if call.args else next((k.value for k in call.keywords if k.arg == "name"), None)
-    start, whole = _beginning(name)
+    start, whole = _beginning(call.args[0] if call.args else _given(call, "name"))
     if start.startswith("."):
-        package = (
-            call.args[1] if len(call.args) > 1 else next((k.value for k in call.keywords if k.arg == "package"), None)
-        )
-        before, known = _beginning(package)
+        before, known = _beginning(call.args[1] if len(call.args) > 1 else _given(call, "package"))
         start = before + start if known else start
     if whole:
         return start
-    package = start.rpartition(".")[0]
-    return f"{package}.{ANY}" if package.strip(".") else ANY
+    around = start.rpartition(".")[0]
+    return f"{around}.{ANY}" if around.strip(".") else ANY
+
+
+def _given(call: ast.Call, name: str) -> ast.expr | None:
+    return next((each.value for each in call.keywords if each.arg == name), None)
 
 
 def _beginning(node: ast.expr | None) -> tuple[str, bool]:
