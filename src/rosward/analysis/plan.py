@@ -8,13 +8,14 @@ file that no other imports, of which nothing else starts    probed: runs the fil
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import Final
 
 from rosward.analysis.source_tree import SourceTree
 from rosward.effects.entry import Entry
 from rosward.engine.library import Library
 from rosward.findings import Finding
+from rosward.frontends.python.loads import ANY
 from rosward.records import NamedTuple
 from rosward.ros.entities import assumed_label
 from rosward.source.standard_library import STANDARD_LIBRARY
@@ -32,7 +33,7 @@ class Plan(NamedTuple):
 
     entries: tuple[Entry, ...]
     files: dict[str, SourceFile]
-    related: frozenset[str] = frozenset()  # the files that can have to do with ROS
+    related: frozenset[str] = frozenset()  # the files whose imports can have to do with ROS
     findings: tuple[Finding, ...] = ()
     programs: tuple[
         Entry, ...
@@ -70,7 +71,8 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
     """The processes of a workspace, in a fixed order, each with a label of its own."""
     files = {f.relative: f for f in workspace.files}
     importers: dict[str, set[str]] = {}
-    related = _related(files, sources, library, importers)
+    started = {e.file.relative for e in workspace.executables if e.file is not None}
+    importing, related = _related(files, sources, library, importers, started)
     entries: list[Entry] = []
     covered: dict[str, set[str]] = {}
     for executable in workspace.executables:
@@ -95,9 +97,9 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
             calls = sources.main_calls(module)
             if not (calls and calls <= covered.get(file, set())):
                 entries.append(_entry(files[file], file))
-        elif file not in covered and file not in imported:
+        elif file not in covered and file not in imported and file in importing:
             entries.append(_entry(files[file], file, probe=True))
-    return Plan(tuple(_distinct(entries)), files, frozenset(related))
+    return Plan(tuple(_distinct(entries)), files, frozenset(importing))
 
 
 def plain_plan(workspace: Workspace) -> Plan:
@@ -118,31 +120,70 @@ def _distinct(entries: list[Entry]) -> list[Entry]:
 
 
 def _related(
-    files: dict[str, SourceFile], sources: SourceTree, library: Library, importers: dict[str, set[str]]
-) -> set[str]:
+    files: dict[str, SourceFile],
+    sources: SourceTree,
+    library: Library,
+    importers: dict[str, set[str]],
+    started: Container[str],
+) -> tuple[set[str], set[str]]:
     """The files whose imports lead, directly or through other files, to a modelled ROS library.
 
     Nothing else can create an entity: a node is made by rclpy only, an entity has a type. A file that cannot be read is not related.
-    `importers` gets the files that import each one.
+    `importers` gets the files that import each one. A file that loads modules by names that do not stand in it may load any that nothing
+    imports and nothing starts: the files that are related only so, the first of the two results is without.
     """
     related: set[str] = set()
+    loaders: dict[str, set[str]] = {}
     for file in files:
         module = sources.module(file)
         if module is None:
             continue
         for name in module.imports:
+            if name.endswith(ANY):
+                loaders.setdefault(name[:-2].replace(".", "/"), set()).add(file)
+                continue
             top = name.lstrip(".").partition(".")[0]
             if not name.startswith(".") and (_is_ros(top, library) or _is_interfaces(name)):
                 related.add(file)
             for found in _follow(name, file, sources):
                 importers.setdefault(found, set()).add(file)
+    _spread(related, importers)
+    importing = set(related)
+    for package in sorted(loaders, key=bool, reverse=True):  # '' is the last
+        loading = _loading(related, package, importers, sources, started)
+        _spread(related, {**importers, **{file: importers.get(file, set()) | loaders[package] for file in loading}})
+        if package:
+            importing = set(related)
+    return importing & set(files), related & set(files)
+
+
+def _spread(related: set[str], importers: Mapping[str, set[str]]) -> None:
+    """What imports a file that can have to do with ROS can have to do with it."""
     work = list(related)
     while work:
         for file in importers.get(work.pop(), ()):
             if file not in related:
                 related.add(file)
                 work.append(file)
-    return related & set(files)
+
+
+def _loading(
+    related: set[str], package: str, importers: Mapping[str, set[str]], sources: SourceTree, started: Container[str]
+) -> list[str]:
+    """Which files that have to do with ROS may be meant by a name of which no more is known than the package; '': by any."""
+    if package:
+        return [file for file in related if f"/{package}/" in f"/{file}"]
+    found = []
+    for file in related:
+        module = sources.module(file)
+        if (
+            module is not None
+            and not module.has_main
+            and file not in started
+            and not importers.get(file, set()) - {file}
+        ):
+            found.append(file)
+    return found
 
 
 def _follow(name: str, file: str, sources: SourceTree) -> Iterator[str]:

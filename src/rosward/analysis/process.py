@@ -17,7 +17,7 @@ from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.effects.flows import ProcessFlows
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect
-from rosward.engine import assumed, handed
+from rosward.engine import assumed, handed, outside
 from rosward.engine.arguments import ANY
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
@@ -126,6 +126,7 @@ def _to_its_end(
         machine.spin()
         handed.follow(machine)
         log.tell_spun()
+        outside.tell(machine)
     except LimitReachedError as limit:
         log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not analysed", Place(entry.file)))
     except Exception as error:

@@ -7,7 +7,7 @@ An effect keeps abstract values; `naming.collect` turns them into names.
 from __future__ import annotations
 
 from collections.abc import Collection, Container, Iterable
-from typing import TYPE_CHECKING, Protocol, final
+from typing import TYPE_CHECKING, Final, Protocol, final
 
 from rosward.domain.compound import External
 from rosward.domain.series import Series
@@ -27,6 +27,10 @@ if TYPE_CHECKING:
     from rosward.effects.flows import ProcessFlows
     from rosward.effects.launch_context import LaunchContext
     from rosward.ir.program import Code
+
+
+_NAMED: Final = 3
+"""How many classes are told that may be nodes."""
 
 
 class Execution(Protocol):
@@ -141,6 +145,8 @@ class EffectLog:
         self.classes: dict[Class, None] = {}
         self.functions: dict[str, Code] = {}
         self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown
+        self.begun: dict[Place, None] = {}  # where the client library is started
+        self.outside: dict[str, None] = {}  # classes of libraries that are not known, of which objects were made
         self.ends: list[frozenset[tuple[object, ...]]] = []
         self.flows: ProcessFlows | None = None  # where that was asked for
         self.remembered: dict[object, object] = {}  # what was computed of its configuration, for who asks again
@@ -197,6 +203,18 @@ class EffectLog:
                         "RW208", f"the node that is spun here is unknown, and this program creates none{why}", place
                     )
                 )
+
+    def tell_outside(self, names: list[str]) -> None:
+        """The program starts the client library and makes no node: objects of these classes, of which nothing is known, may be nodes."""
+        if not names or self.nodes or self.spun or any(effect.address is None for effect in self.entities):
+            return
+        told = ", ".join(names[:_NAMED]) + (f" and {len(names) - _NAMED} more" if len(names) > _NAMED else "")
+        for place in self.begun:
+            self.findings.add(
+                Finding(
+                    "RW208", f"this program starts rclpy and creates no node: what {told} may create is unknown", place
+                )
+            )
 
     @property
     def tells_once(self) -> bool:

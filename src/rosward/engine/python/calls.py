@@ -16,7 +16,7 @@ from rosward.domain.series import Series, concatenated
 from rosward.domain.suspended import Suspension
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
-from rosward.engine import activation, declared
+from rosward.engine import activation, declared, outside
 from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.catcher import LIBRARY
@@ -170,6 +170,7 @@ def _call_external(machine: Engine, function: External, args: Arguments, keyword
     if machine.library.native(function.name):
         return call_native(machine, function.name, args, keywords)
     note_call(machine)
+    outside.note(machine, function)
     escape(machine, (*args, *keywords.values()), function.name, function)
     asks = function.name.rpartition(".")[2].startswith(_QUESTIONS) or function.name.partition(".")[0] in _ABOUT
     if len(args) == 1 and not keywords and not asks and args[0].__class__ in (Function, Class):

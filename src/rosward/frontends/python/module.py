@@ -12,7 +12,7 @@ import ast
 import re
 import sys
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Final
 
 from rosward.frontends.front_end import FrontendError
@@ -28,6 +28,7 @@ from rosward.frontends.python import (
 from rosward.frontends.python.body import Body, Unit, misplaced
 from rosward.frontends.python.definitions import lower_code
 from rosward.frontends.python.fstrings import parse_with_fstrings
+from rosward.frontends.python.loads import loads
 from rosward.frontends.python.newer import older
 from rosward.frontends.python.scopes import link, unresolved_nonlocal
 from rosward.frontends.python.symbols import collect
@@ -75,7 +76,7 @@ def lower_module(text: str, file: str, origins: Sequence[int] = (), name: str = 
         _move(tree, origins)
     lines = text.count("\n") + (not text.endswith("\n") and bool(text))
     try:
-        return _lower(tree, file, name or file, lines)
+        return _lower(tree, file, name or file, lines, loads(tree, text))
     except (RecursionError, MemoryError) as error:
         raise FrontendError("depth", "the code is nested too deeply to be analysed", 1, 1) from error
 
@@ -91,7 +92,7 @@ def _move(tree: ast.Module, origins: Sequence[int]) -> None:
             node.lineno = node.end_lineno = line
 
 
-def _lower(tree: ast.Module, file: str, name: str, lines: int) -> Module:
+def _lower(tree: ast.Module, file: str, name: str, lines: int, loaded: Iterable[str]) -> Module:
     symbols = collect(tree)
     link(symbols.scopes)
     unresolved = unresolved_nonlocal(symbols.scopes)
@@ -117,7 +118,7 @@ def _lower(tree: ast.Module, file: str, name: str, lines: int) -> Module:
         line=1,
         doc=ast.get_docstring(tree, clean=False),
     )
-    return Module(file, code, frozenset(unit.imports), frozenset(unit.first), unit.has_main, lines)
+    return Module(file, code, frozenset({*unit.imports, *loaded}), frozenset(unit.first), unit.has_main, lines)
 
 
 def _parse(text: str) -> ast.Module:

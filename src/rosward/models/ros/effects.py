@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 def _init(call: NativeCall) -> Value:
     """`init(context, args)`: the context keeps its command line."""
     keep_line(call.machine, call.args[0], call.arg(1, "args"))
+    call.machine.log.begun[call.machine.place] = None
     return NONE
 
 

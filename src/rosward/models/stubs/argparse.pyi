@@ -2,6 +2,7 @@
 """`argparse`: declared arguments become attributes of the namespace, by default or unknown; of known arguments, exactly."""
 from _rosward import ask, default as only_default, reads_only, unknown
 from _rosward import either, escape, native, unknown
+import os
 import sys
 
 @native
@@ -185,7 +186,7 @@ class _SubParsers:
         self.dest = dest
         self.required = required
     def add_parser(self, name, *, help=None, aliases=(), parser_class=None, **kwargs):
-        parser = ArgumentParser(**kwargs)
+        parser = ArgumentParser(**({'prog': f'{self._parent.prog} {name}'} | kwargs))
         self._parsers.append(parser)
         self._names.append(name)
         return parser
@@ -201,7 +202,7 @@ class _SubParsers:
 class ArgumentParser(_ActionsContainer):
     def __init__(self, prog=None, usage=None, description=None, epilog=None, parents=[], formatter_class=HelpFormatter, prefix_chars='-',
                  fromfile_prefix_chars=None, argument_default=None, conflict_handler='error', add_help=True, allow_abbrev=True, exit_on_error=True):
-        self.prog = prog
+        self.prog = os.path.basename(sys.argv[0]) if prog is None else prog
         self.usage = usage
         self.description = description
         self.epilog = epilog

@@ -6,6 +6,7 @@ The modules of a folder are those of the sources.
 from importlib.resources import files
 from _rosward import native, reads_only, source, unknown
 from collections import namedtuple
+from importlib.machinery import FileFinder
 import importlib
 
 ModuleInfo = namedtuple('ModuleInfo', 'module_finder name ispkg')
@@ -31,7 +32,8 @@ def iter_modules(path=None, prefix=''):
         if inside is None:
             found += _some(prefix)
         else:
-            found += [ModuleInfo(unknown('call', 'a finder of modules'), prefix + name, package) for name, package in inside]
+            finder = FileFinder(folder)
+            found += [ModuleInfo(finder, prefix + name, package) for name, package in inside]
     return iter(found)
 
 def walk_packages(path=None, prefix='', onerror=None):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`importlib.machinery`: what loads the module of a file. Read in CPython 3.13, `Lib/importlib/_bootstrap_external.py`."""
 import os
-from _rosward import native, reads_only
+from _rosward import native, reads_only, unknown
 
 @native
 def _module_at(name, path): ...
@@ -22,3 +22,23 @@ class SourceFileLoader:
     def exec_module(self, module) -> None: ...
     @reads_only
     def create_module(self, spec) -> None: ...
+class FileFinder:
+    def __init__(self, path, *loader_details):
+        self.path = path
+    def _loader(self, fullname):
+        import pkgutil
+        last = fullname.rpartition('.')[2]
+        inside = pkgutil._modules(self.path)
+        if inside is None:
+            return unknown('call', 'a finder of modules')
+        for name, package in inside:
+            if name == last:
+                return SourceFileLoader(fullname, os.path.join(self.path, last, '__init__.py') if package else os.path.join(self.path, last + '.py'))
+        return None
+    def find_spec(self, fullname, target=None):
+        loader = self._loader(fullname)
+        return None if loader is None else ModuleSpec(fullname, loader, origin=loader.path)
+    def find_module(self, fullname):
+        return self._loader(fullname)
+    def invalidate_caches(self):
+        pass

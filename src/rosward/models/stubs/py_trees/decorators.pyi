@@ -4,6 +4,9 @@
 Read from py_trees 2.6.0.
 """
 
+import functools
+import inspect
+
 from py_trees import common
 from py_trees.behaviour import Behaviour
 
@@ -33,7 +36,9 @@ class StatusToBlackboard(Decorator):
 class EternalGuard(Decorator):
     def __init__(self, name, child, condition, blackboard_keys=None):
         Decorator.__init__(self, name, child)
-        self.condition = condition
+        self.blackboard = self.attach_blackboard_client(name)
+        asks = "blackboard" in inspect.signature(condition).parameters
+        self.condition = functools.partial(condition, self.blackboard) if asks else condition
 
     def update(self):
         self.condition()

@@ -116,6 +116,20 @@ class ActionClient(Waitable):
         future._result = either(None, ClientGoalHandle(self, goal_uuid, None))
         return future
 
+    # What a goal handle calls, and programs that keep one.
+
+    def _cancel_goal(self, goal_handle):
+        return goal_handle.cancel_goal()
+
+    def _cancel_goal_async(self, goal_handle):
+        return goal_handle.cancel_goal_async()
+
+    def _get_result(self, goal_handle):
+        return goal_handle.get_result()
+
+    def _get_result_async(self, goal_handle):
+        return goal_handle.get_result_async()
+
     @waits
     def server_is_ready(self) -> bool: ...
     @waits

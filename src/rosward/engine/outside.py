@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which objects of libraries that are not known may be nodes, where a program starts the client library and makes no node itself?
+
+    rclpy.init()
+    navigator = TurtleBot4Navigator()    without its code, nothing is known of a node: RW208
+
+Where the program makes a node, it is taken that no library makes another one (docs/limits.md).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.compound import External
+from rosward.models.readers import creates_nothing
+from rosward.source.standard_library import STANDARD_LIBRARY
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+
+def note(machine: Engine, callee: External) -> None:
+    """Something of a library without a model is called: a class, by its name, may make a node."""
+    if callee.name not in machine.log.outside and _may_be_node(callee):
+        machine.log.outside[callee.name] = None
+
+
+def _may_be_node(callee: External) -> bool:
+    package, _, path = callee.name.partition(".")
+    last = path.rpartition(".")[2]
+    return (
+        last[:1].isupper()
+        and not last.endswith(("Error", "Exception", "Warning"))
+        and package not in STANDARD_LIBRARY
+        and not creates_nothing(callee)
+    )
+
+
+def tell(machine: Engine) -> None:
+    """Whoever may make a node besides the program itself is told, in case that it makes none."""
+    log = machine.log
+    names = dict(log.outside)
+    for cls in log.classes:
+        if cls.place in machine.trace.instantiated:
+            names.update((b.name, None) for b in cls.mro if isinstance(b, External) and _may_be_node(b))
+    log.tell_outside(list(names))
