@@ -40,5 +40,6 @@ class FileFinder:
         return None if loader is None else ModuleSpec(fullname, loader, origin=loader.path)
     def find_module(self, fullname):
         return self._loader(fullname)
+    @reads_only
     def invalidate_caches(self):
         pass
