@@ -38,6 +38,14 @@ _NOT_KNOWN: Final = frozenset(
         "CMAKE_C_COMPILER", "CMAKE_CROSSCOMPILING", "CMAKE_CUDA_COMPILER", "CMAKE_SYSTEM_VERSION", "CMAKE_PROJECT_VERSION",
     }
 )  # fmt: skip
+_OF_EACH_SHELL: Final = frozenset(
+    {
+        "HOME", "PATH", "USER", "LOGNAME", "SHELL", "PWD", "OLDPWD", "HOSTNAME", "LANG", "TERM", "DISPLAY", "TMPDIR", "EDITOR", "CI",
+        "PYTHONPATH", "LD_LIBRARY_PATH", "PKG_CONFIG_PATH", "ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION", "ROS_DOMAIN_ID",
+        "RMW_IMPLEMENTATION", "CC", "CXX", "CFLAGS", "CXXFLAGS", "LDFLAGS",
+    }
+)  # fmt: skip
+"""Variables of the environment that a shell, ROS or whoever builds sets; so are prefixes."""
 Functions = Callable[[str], tuple[str, str] | None]
 
 
@@ -61,6 +69,11 @@ def read_build(
     return _Reader(
         folder, package, root, boundary, tuple(depends), present, environment, functions, tuple(distros)
     ).build()
+
+
+def _is_usual(variable: str) -> bool:
+    """Whether a variable of the environment may well be set where a package is built."""
+    return variable in _OF_EACH_SHELL or "PREFIX" in variable or HOLE in variable
 
 
 @final
@@ -142,8 +155,8 @@ class _Reader:
         return value or ""
 
     def environment(self, name: str) -> str:
-        """What is given of the environment; the rest is not known."""
-        return self._environment.get(name, HOLE)
+        """What is given of the environment; of the rest nothing is set, but for what each shell sets."""
+        return self._environment.get(name, HOLE if _is_usual(name) else "")
 
     def unknown_command(self, name: str) -> bool:
         """Take it from the cmake files of another package."""
@@ -177,8 +190,8 @@ class _Reader:
         return None if inner is None else disk.exists(inner)
 
     def has_environment(self, name: str) -> bool | None:
-        """Whether an environment variable is set."""
-        return True if name in self._environment else None
+        """Whether an environment variable is set; None where each shell has a value of its own."""
+        return True if name in self._environment else None if _is_usual(name) else False
 
     # Packages
 

@@ -64,6 +64,8 @@ def holds(arguments: Sequence[CMakeArgument], variables: Variables, around: Surr
             words.append(_Word(argument.text if argument.literal else variables.substitute(argument.text), quoted=True))
         else:
             words += [_Word(text, quoted=False) for text in variables.expand([argument])]
+    if not words:
+        return False
     if len(words) > _LIMIT:
         return None
     parser = _Condition(words, variables, around)
