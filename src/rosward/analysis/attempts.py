@@ -17,9 +17,10 @@ from rosward.engine.budget import BeginAnewError, Budget
 from rosward.engine.library import Library
 from rosward.engine.reads import Question, Reads
 from rosward.engine.remembered import depends_on_the_machine
+from rosward.ir.program import CPP, PYTHON
 
-_MOST_ATTEMPTS: Final = 3
-"""So often a process is followed with some haste."""
+_MOST_ATTEMPTS: Final = {PYTHON: 3, CPP: 1}
+"""So often a process is followed with some haste. In C++ those behind the first seldom are the last one, and each takes long."""
 _PATIENCE: Final = 20
 """So many times the steps a program in C++ has before it is followed in haste: there, to follow it anew costs more than haste saves."""
 
@@ -61,7 +62,8 @@ def _run(library: Library, entry: Entry, budget: Budget, configuration: Configur
 
 def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
     """Follow a process in haste where it creates nothing; parts of it without haste, if it turns out that something depends on them."""
-    if entry.program:
+    language = CPP if entry.program else PYTHON
+    if language == CPP:
         budget = budget.patient(_PATIENCE)
 
     def judge(found: Run) -> None:
@@ -70,7 +72,7 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
             raise BeginAnewError(parts)
 
     careful: frozenset[str] = frozenset()
-    for _ in range(_MOST_ATTEMPTS):
+    for _ in range(_MOST_ATTEMPTS[language]):
         try:
             return follow(library, entry, budget, configuration, careful, judge)
         except BeginAnewError as error:  # noqa: PERF203 - twice or three times
