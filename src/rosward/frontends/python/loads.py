@@ -5,6 +5,7 @@ importlib.import_module('plugs.nav')        plugs.nav
 importlib.import_module(f'plugs.{kind}')    plugs.*, a module in that package
 importlib.import_module(f'{kind}.msg')      *.msg
 importlib.import_module(f'.{kind}', __name__), f'{__name__}.{kind}'    .*, one beside this file
+pkgutil.iter_modules(plugs.__path__)        plugs.*
 importlib.import_module(name)               *, any; but what `name` is given in this file, where it is given nothing else
 """
 
@@ -44,6 +45,8 @@ def loads(tree: ast.Module, text: str) -> Iterator[str]:
         if isinstance(node, ast.Call) and _word(node.func) in _BY_NAME:
             called.add(node.func)
             yield from reader.loaded(node)
+        elif isinstance(node, ast.Attribute) and node.attr == "__path__":  # what is in a package that is at hand
+            yield f"{ast.unparse(node.value)}.{ANY}" if _is_dotted(node.value) else ANY
         elif (isinstance(node, ast.alias) and node.asname and node.name in _BY_NAME) or (
             isinstance(node, ast.expr) and node not in called and _word(node) in _BY_NAME | others
         ):
@@ -53,6 +56,10 @@ def loads(tree: ast.Module, text: str) -> Iterator[str]:
 def _word(node: ast.expr) -> str:
     """The last word of a dotted name."""
     return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
+def _is_dotted(node: ast.expr) -> bool:
+    return isinstance(node, ast.Name) or (isinstance(node, ast.Attribute) and _is_dotted(node.value))
 
 
 class _Reader:
