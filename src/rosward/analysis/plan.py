@@ -8,6 +8,7 @@ file that no other imports, of which nothing else starts    probed: runs the fil
 
 from __future__ import annotations
 
+import re
 from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import Final
 
@@ -129,8 +130,9 @@ def _related(
     """The files whose imports lead, directly or through other files, to a modelled ROS library.
 
     Nothing else can create an entity: a node is made by rclpy only, an entity has a type. A file that cannot be read is not related.
-    `importers` gets the files that import each one. A file that loads modules by names that do not stand in it may load any that nothing
-    imports and nothing starts: the files that are related only so, the first of the two results is without.
+    `importers` gets the files that import each one. A file that loads modules by names that do not stand in it may load any with such a name;
+    if the package does not stand there either, any that nothing imports and nothing starts: the files that are related only so, the first of
+    the two results is without.
     """
     related: set[str] = set()
     loaders: dict[str, set[str]] = {}
@@ -139,8 +141,8 @@ def _related(
         if module is None:
             continue
         for name in module.imports:
-            if name.endswith(ANY):
-                loaders.setdefault(name[:-2].replace(".", "/"), set()).add(file)
+            if ANY in name:
+                loaders.setdefault(_path_pattern(name, file), set()).add(file)
                 continue
             top = name.lstrip(".").partition(".")[0]
             if not name.startswith(".") and (_is_ros(top, library) or _is_interfaces(name)):
@@ -149,12 +151,32 @@ def _related(
                 importers.setdefault(found, set()).add(file)
     _spread(related, importers)
     importing = set(related)
-    for package in sorted(loaders, key=bool, reverse=True):  # '' is the last
-        loading = _loading(related, package, importers, sources, started)
-        _spread(related, {**importers, **{file: importers.get(file, set()) | loaders[package] for file in loading}})
-        if package:
+    for is_open in (False, True):
+        before = -1
+        while len(related) != before:
+            before = len(related)
+            for pattern in (p for p in loaders if _is_open(p) is is_open):
+                loading = _loading(related, pattern, importers, sources, started)
+                _spread(related, {**importers, **{f: importers.get(f, set()) | loaders[pattern] for f in loading}})
+        if not is_open:
             importing = set(related)
     return importing & set(files), related & set(files)
+
+
+def _path_pattern(name: str, file: str) -> str:
+    """A regular expression for the files that a name of which not all is known may mean: the whole path, or what is behind a slash of it."""
+    dots = len(name) - len(name.lstrip("."))
+    folder = "/".join(file.split("/")[:-dots]) if dots else ""
+    start = re.escape(f"{folder}/" if folder else "")
+    path = ".*".join(re.escape(part.replace(".", "/")) for part in name[dots:].split(ANY))
+    around = re.escape(name[dots:].partition(ANY)[0].replace(".", "/").rpartition("/")[0])
+    package = f"|{start}{around}/__init__" if around else f"|{start}__init__" if dots else ""
+    return f"{start}{path}(?:/__init__)?{package}"
+
+
+def _is_open(pattern: str) -> bool:
+    """Whether not even the package is known."""
+    return pattern.startswith(".*")
 
 
 def _spread(related: set[str], importers: Mapping[str, set[str]]) -> None:
@@ -168,19 +190,17 @@ def _spread(related: set[str], importers: Mapping[str, set[str]]) -> None:
 
 
 def _loading(
-    related: set[str], package: str, importers: Mapping[str, set[str]], sources: SourceTree, started: Container[str]
+    related: set[str], pattern: str, importers: Mapping[str, set[str]], sources: SourceTree, started: Container[str]
 ) -> list[str]:
-    """Which files that have to do with ROS may be meant by a name of which no more is known than the package; '': by any."""
-    if package:
-        return [file for file in related if f"/{package}/" in f"/{file}"]
+    """Which files that have to do with ROS may be loaded by a name that is so written."""
+    meant = re.compile(rf"(?:.*/)?(?:{pattern})\.py")
     found = []
     for file in related:
         module = sources.module(file)
         if (
             module is not None
-            and not module.has_main
-            and file not in started
-            and not importers.get(file, set()) - {file}
+            and meant.fullmatch(file)
+            and not (_is_open(pattern) and (module.has_main or file in started or importers.get(file, set()) - {file}))
         ):
             found.append(file)
     return found

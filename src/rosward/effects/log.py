@@ -142,6 +142,8 @@ class EffectLog:
         self.findings = Findings()
         self.open: dict[int, Findings] = {}  # why the interface of the node at an address is not wholly known
         self.failures: dict[int, Findings] = {}  # what to tell of an exception of a library that nothing catches
+        self.doubtful: list[tuple[int, Finding]] = []  # the same, of what fails for one of several alternatives
+        self.uncaught: set[int] = set()  # exceptions that nothing caught
         self.classes: dict[Class, None] = {}
         self.functions: dict[str, Code] = {}
         self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown
@@ -193,6 +195,13 @@ class EffectLog:
         if key not in state.done:
             state.done |= {key}
             state.version = machine.fresh_version()
+
+    def tell_all_failed(self, first: int) -> None:
+        """Each of several alternatives has failed: what was doubtful of them, from the first of these on, is sure."""
+        for address, finding in self.doubtful[first:]:
+            self.failures.setdefault(address, Findings()).add(finding)
+            if address in self.uncaught:
+                self.findings.add(finding)
 
     def tell_spun(self) -> None:
         """The program spins a node that is not known, and makes none: whose node it is nobody can tell."""

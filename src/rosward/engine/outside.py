@@ -3,37 +3,50 @@
 
     rclpy.init()
     navigator = TurtleBot4Navigator()    without its code, nothing is known of a node: RW208
+    node = acme.make_node()              so it is of a function with such a name
 
 Where the program makes a node, it is taken that no library makes another one (docs/limits.md).
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import re
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import External
-from rosward.models.readers import creates_nothing
+from rosward.models.readers import makes_no_node
 from rosward.source.standard_library import STANDARD_LIBRARY
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 
+_MAKES: Final = re.compile(r"(?:\w*_)?nodes?(?:_\w*)?|(?:main|run|spin|start)(?:_\w*)?")
+"""How functions are named that make or run nodes."""
+
+
 def note(machine: Engine, callee: External) -> None:
-    """Something of a library without a model is called: a class, by its name, may make a node."""
-    if callee.name not in machine.log.outside and _may_be_node(callee):
+    """Something of a library without a model is called: a class, or a function by its name, may make a node."""
+    if callee.name not in machine.log.outside and _may_make_node(callee):
         machine.log.outside[callee.name] = None
 
 
+def _may_make_node(callee: External) -> bool:
+    return _may_be_node(callee) or (_MAKES.fullmatch(callee.name.rpartition(".")[2]) is not None and _is_open(callee))
+
+
 def _may_be_node(callee: External) -> bool:
-    package, _, path = callee.name.partition(".")
-    last = path.rpartition(".")[2]
+    last = callee.name.rpartition(".")[2]
     return (
-        last[:1].isupper()
+        "." in callee.name
+        and last[:1].isupper()
         and not last.endswith(("Error", "Exception", "Warning"))
-        and package not in STANDARD_LIBRARY
-        and not creates_nothing(callee)
+        and _is_open(callee)
     )
+
+
+def _is_open(callee: External) -> bool:
+    return callee.name.partition(".")[0] not in STANDARD_LIBRARY and not makes_no_node(callee)
 
 
 def tell(machine: Engine) -> None:

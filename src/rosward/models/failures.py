@@ -19,16 +19,16 @@ if TYPE_CHECKING:
 def fail(machine: Machine, cls: Value, message: str, args: tuple[Value, ...]) -> Value:
     """The library raises `cls(*args)` here; returns `UNBOUND`, since nothing follows on this path.
 
-    Where that is so of one of several alternatives, as of a node that may be another one, nothing is told.
+    Where that is so of one of several alternatives, as of a node that may be another one, it is told if the others fail, too.
     """
     exception = machine.call(cls, args)
-    if machine.is_alternative:
-        machine.throw(exception)
-        return UNBOUND
     finding = Finding("RW209", message, machine.place)
     for each in options(exception):
         if isinstance(each, Ref):
-            machine.log.failures.setdefault(each.address, Findings()).add(finding)
+            if machine.is_alternative:
+                machine.log.doubtful.append((each.address, finding))
+            else:
+                machine.log.failures.setdefault(each.address, Findings()).add(finding)
     machine.throw(exception)
     return UNBOUND
 
@@ -37,4 +37,5 @@ def tell_uncaught(machine: Machine, exception: Value) -> None:
     """An exception leaves the program, or a callback: where a library raised it, that is told."""
     for each in options(exception):
         if isinstance(each, Ref):
+            machine.log.uncaught.add(each.address)
             machine.log.findings.update(machine.log.failures.get(each.address, ()))

@@ -40,6 +40,27 @@ _FOREIGN: Final = _READ | {
 }  # fmt: skip
 """Libraries that create nothing on a node that they get hold of: they know nothing of ROS."""
 
+_NO_NODES: Final = _FOREIGN | {
+    "aiohttp", "aiortc", "anthropic", "av", "azure", "bleak", "bluetooth", "board", "boto3", "bs4", "busio", "canopen", "cantools", "casadi",
+    "crcmod", "Crypto", "cryptography", "cvxpy", "dash", "depthai", "digitalio", "discord", "docker", "dotenv", "dronekit", "dynamixel_sdk",
+    "easyocr", "evdev", "face_recognition", "fastapi", "filterpy", "flask", "flask_cors", "flask_socketio", "folium", "geographiclib",
+    "geopy", "google", "gpiozero", "gradio", "grpc", "gtts", "gym", "gymnasium", "h5py", "httpx", "image_geometry", "imageio", "imutils",
+    "influxdb_client", "inputs", "jinja2", "joblib", "kivy", "langchain", "langchain_core", "langchain_openai", "langgraph", "laser_geometry",
+    "librosa", "loguru", "lxml", "mavsdk", "mcap", "mediapipe", "minimalmodbus", "mss", "mujoco", "mysql", "neopixel", "netifaces", "networkx",
+    "nicegui", "numba", "odrive", "ollama", "openai", "osqp", "paho", "paramiko", "pexpect", "picamera", "picamera2", "pigpio", "pinocchio",
+    "playsound", "plotly", "PyKDL", "prompt_toolkit", "psutil", "psycopg2", "pupil_apriltags", "pyaudio", "pyautogui", "pybullet", "pycuda",
+    "pydantic", "pydub", "pymavlink", "pymodbus", "pymongo", "pynmea2", "pynput", "pyproj", "pyqtgraph", "pyrealsense2", "pyttsx3", "pytz",
+    "pyudev", "pyzbar", "readchar", "redis", "rich", "rosbags", "ruamel", "shapely", "simple_pid", "slack_sdk", "smach", "socketio",
+    "sounddevice", "soundfile", "spatialmath", "speech_recognition", "sqlalchemy", "sshkeyboard", "stable_baselines3", "starlette",
+    "streamlit", "supervision", "telegram", "tensorrt", "textual", "torchaudio", "tornado", "tqdm", "transformers", "trimesh", "twilio",
+    "typer", "ultralytics", "usb", "utm", "uvicorn", "vosk", "webrtcvad", "websocket", "websockets", "werkzeug", "whisper", "wx", "xarm",
+    "yaml", "zeroconf", "zmq",
+}  # fmt: skip
+"""Libraries of which no class is a node. Some call what they are given, so of a node that they get more may be unknown."""
+
+_OF_ROS: Final = re.compile(r"rosbag2_py\.(?!.*(?:Recorder|Player)$)|moveit\.core\.")
+"""Classes that are no nodes of libraries that have some."""
+
 _ASK: Final = tuple(f"{package}.api." for package in ("ros2node", "ros2topic", "ros2service", "ros2action"))
 """Modules whose functions only ask the graph. Others of these packages create something: `ros2topic.verb.pub.publisher(node, …)`."""
 
@@ -55,6 +76,13 @@ def creates_nothing(callee: Value) -> bool:
     """Whether it is known of what is called that it creates nothing on a node."""
     return all(
         name.partition(".")[0] in _FOREIGN or name.startswith(_ASK) or _IN_CPP.match(name) for name in _dotted(callee)
+    )
+
+
+def makes_no_node(callee: External) -> bool:
+    """Whether it is known of a class that it is no node, and makes none."""
+    return (
+        callee.name.partition(".")[0] in _NO_NODES or _OF_ROS.match(callee.name) is not None or creates_nothing(callee)
     )
 
 

@@ -16,18 +16,21 @@ class _Container(argparse._ActionsContainer):
     def __init__(self):
         self._actions = []
         self._defaults = {}
+        self._callbacks = []
 
 def _declare(function, flags, default, type, required, multiple, is_flag, nargs, expose_value=True, callback=None):
     target = function if isinstance(function, (_Optioned, Command)) else _Optioned(function, _Container())
-    if callback is not None:
-        escape(callback)
     if not expose_value:
+        if callback is not None:
+            escape(callback)
         return target
     if is_flag:
-        target._container.add_argument(*flags, action='store_true')
+        action = target._container.add_argument(*flags, action='store_true')
     else:
         many = '*' if multiple or nargs == -1 else None
-        target._container.add_argument(*flags, default=default, type=type if callable(type) else None, required=required, nargs=many)
+        action = target._container.add_argument(*flags, default=default, type=type if callable(type) else None, required=required, nargs=many)
+    if callback is not None:
+        target._container._callbacks.append((action, callback))
     return target
 
 def option(*param_decls, cls=None, default=None, type=None, required=False, multiple=False, is_flag=False, nargs=1, expose_value=True, callback=None, **attrs):
@@ -59,6 +62,9 @@ class Command:
         namespace = argparse.Namespace()
         for action in self._container._actions:
             action._store(None, namespace, None)
+        for action, callback in self._container._callbacks:
+            value = callback(Context(), unknown('call', 'a parameter of click'), getattr(namespace, action.dest))
+            setattr(namespace, action.dest, value)
         result = self.callback(**vars(namespace))
         if self._commands:
             either(*self._commands)()
