@@ -142,6 +142,9 @@ class EffectLog:
         self.findings = Findings()
         self.open: dict[int, Findings] = {}  # why the interface of the node at an address is not wholly known
         self.failures: dict[int, Findings] = {}  # what to tell of an exception of a library that nothing catches
+        self.withheld: list[
+            tuple[int, Finding, bool]
+        ] = []  # that of one of several alternatives, and whether a `try` is around
         self.classes: dict[Class, None] = {}
         self.functions: dict[str, Code] = {}
         self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final, TypeVar
 from rosward.domain.choice import join
 from rosward.domain.state import State, join_states
 from rosward.domain.values import UNBOUND, Value
+from rosward.models.failures import tell_withheld
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -32,6 +33,7 @@ def each_apart(machine: Engine, alternatives: Sequence[T], action: Callable[[T],
     value: Value = UNBOUND
     frame = machine.frames[-1] if machine.frames else None
     sequence: int | None = None
+    withheld = len(machine.log.withheld)
     for number, option in enumerate(alternatives):
         if number:
             machine.state = before.copy()
@@ -48,4 +50,5 @@ def each_apart(machine: Engine, alternatives: Sequence[T], action: Callable[[T],
         after = machine.state if after is None else join_states(after, machine.state, machine.fresh_version)
     if after is not None:
         machine.state = after
+    tell_withheld(machine, withheld, ended=after is None)
     return value

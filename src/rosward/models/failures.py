@@ -19,18 +19,32 @@ if TYPE_CHECKING:
 def fail(machine: Machine, cls: Value, message: str, args: tuple[Value, ...]) -> Value:
     """The library raises `cls(*args)` here; returns `UNBOUND`, since nothing follows on this path.
 
-    Where that is so of one of several alternatives, as of a node that may be another one, nothing is told.
+    Where that is so of one of several alternatives, as of a node that may be another one, it is told if none of them goes on.
     """
     exception = machine.call(cls, args)
-    if machine.is_alternative:
-        machine.throw(exception)
-        return UNBOUND
     finding = Finding("RW209", message, machine.place)
     for each in options(exception):
-        if isinstance(each, Ref):
+        if not isinstance(each, Ref):
+            continue
+        if machine.is_alternative:
+            machine.log.withheld.append((each.address, finding, machine.is_tried))
+        else:
             machine.log.failures.setdefault(each.address, Findings()).add(finding)
     machine.throw(exception)
     return UNBOUND
+
+
+def tell_withheld(machine: Machine, start: int, *, ended: bool) -> None:
+    """All alternatives were followed. `start`: what is withheld from there on is of them; `ended`: none of them goes on."""
+    withheld = machine.log.withheld
+    if ended and machine.is_alternative:
+        return
+    if ended:
+        for address, finding, caught in withheld[start:]:
+            machine.log.failures.setdefault(address, Findings()).add(finding)
+            if not caught:
+                machine.log.findings.add(finding)
+    del withheld[start:]
 
 
 def tell_uncaught(machine: Machine, exception: Value) -> None:
