@@ -175,7 +175,7 @@ def _initialise(machine: Engine, op: cpp.Initialise, frame: Frame) -> bool | Non
 def _invoke(machine: Engine, op: cpp.Invoke, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     args = decaying(machine, given(frame, op.arguments))
-    frame.handed, frame.fresh = frame.fresh, UNBOUND
+    frame.handed, frame.fresh, frame.returned = frame.fresh, UNBOUND, None
     value = calls.invoke(machine, frame.registers[op.func], args)
     return _result(machine, frame, op, value)
 
@@ -187,7 +187,7 @@ def _invoke_member(machine: Engine, op: cpp.InvokeMember, frame: Frame) -> bool 
     args = decaying(machine, given(frame, op.arguments))
     types = access.types_of(frame, op.types)
     scope = frame.registers[op.scope] if op.scope != ops.NO_REGISTER else None
-    frame.handed, frame.fresh = frame.fresh, UNBOUND
+    frame.handed, frame.fresh, frame.returned = frame.fresh, UNBOUND, None
     obj = frame.registers[op.obj]
 
     def declared() -> Value:
