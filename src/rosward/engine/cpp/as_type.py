@@ -120,8 +120,9 @@ def copy_of_result(machine: Engine, frame: Frame, value: Value) -> Value:
     if frame.returned is not None and frame.returned[0] == value and value.__class__ in (Ref, Choice):
         function = frame.returned[1]
         symbol = linked(machine).declared.get(function.code.key)  # None of a lambda
-        known = symbol is not None and symbol.type is not None and not symbol.template
-        type_ = evaluate(machine, symbol.type, function.module) if known else NONE
+        type_: Value = NONE
+        if symbol is not None and symbol.type is not None and not symbol.template:
+            type_ = evaluate(machine, symbol.type, function.module)
         if is_of_another(machine, value, type_):
             return as_one(machine, value, type_)
     return copied(machine, value)

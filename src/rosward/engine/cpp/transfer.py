@@ -32,7 +32,7 @@ from rosward.engine.cpp.binding import instance
 from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.converting import as_value, decaying
 from rosward.engine.cpp.packs import items_of
-from rosward.engine.cpp.types import pointee, pointer_to, type_of
+from rosward.engine.cpp.types import plain_type, pointee, pointer_to, type_of
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
 from rosward.engine.python import exceptions as python_exceptions
@@ -240,7 +240,7 @@ def _make_type(_machine: Engine, op: cpp.MakeType, frame: Frame) -> None:
 def _type_of_value(machine: Engine, op: cpp.TypeOfValue, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     src = frame.registers[op.src]
-    frame.registers[op.dst] = detection.member_type(machine, src, op.member) if op.member else type_of(machine, src)
+    frame.registers[op.dst] = detection.member_type(machine, src, op.member) if op.member else plain_type(machine, src)
 
 
 def _braces(_machine: Engine, op: cpp.Braces, frame: Frame) -> None:
