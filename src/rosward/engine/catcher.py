@@ -13,7 +13,7 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.memory import Heap
 from rosward.domain.state import State, join_objects, join_registers, join_states
-from rosward.domain.values import UNBOUND, Value
+from rosward.domain.values import UNBOUND, Choice, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.told import Kind, Telling, Told
 
@@ -110,8 +110,9 @@ class Catcher:
             heap = snapshot.state.heap
             if self.told is not None:
                 self.told.append(Telling(Kind.ARRIVED, 0, each, heap.copy(), state.done))
-            self.arrivals[each] = join_into(machine, self.arrivals.get(each), snapshot, known=self.arrived.get(each))
-            self.arrived[each] = heap
+            key = next((k for k in self.arrivals if k.__class__ is Choice and each in options(k)), each)
+            self.arrivals[key] = join_into(machine, self.arrivals.get(key), snapshot, known=self.arrived.get(key))
+            self.arrived[key] = heap
         self.arrivals = self.few(machine, _MOST)
         if len(self.arrivals) < len(self.arrived):
             self.arrived = {each: heap for each, heap in self.arrived.items() if each in self.arrivals}

@@ -92,11 +92,13 @@ def rethrow(machine: Engine, inner: Catcher, seen: Callable[[State], State] = St
 
     `seen`: what a state of it is for who calls, as a state of its own.
     """
+    if machine.catchers and machine.catchers[-1] is inner:  # within what it is of: it is there already
+        return
     if machine.catchers and inner.level:
         machine.catchers[-1].take_over(machine, inner, seen(inner.snapshot.state))
         machine.noted = max(machine.noted, inner.level)
     here = machine.state
-    for exception, snapshot in inner.arrivals.items():
+    for exception, snapshot in list(inner.arrivals.items()):  # a callback that runs here may add to them
         machine.state = seen(snapshot.state)
         throw(machine, exception)
     machine.state = here

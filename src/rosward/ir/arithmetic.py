@@ -28,7 +28,17 @@ SMALL: Final = frozenset(
 
 def same_type(name: str) -> str:
     """An arithmetic type by the one of its names that stands for all."""
-    return _SAME.get(name, name)
+    return _SAME.get(name) or _SAME.get(_shorter(name), _shorter(name))
+
+
+def _shorter(name: str) -> str:
+    """`long` for `signed long int`, `unsigned long long` for `long long unsigned int`: the words that need not be there."""
+    words = name.split()
+    if (len(words) < 2 and words != ["signed"]) or "double" in words or "char" in words:
+        return name
+    sizes = [word for word in words if word in ("long", "short")]
+    sign = ["unsigned"] if "unsigned" in words else []
+    return " ".join(sign + sizes) or INT
 
 
 def common(one: str, other: str) -> str:

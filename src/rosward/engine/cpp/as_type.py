@@ -119,10 +119,10 @@ def copy_of_result(machine: Engine, frame: Frame, value: Value) -> Value:
     """A copy of what a call gives by reference: of the type that the function is declared with."""
     if frame.returned is not None and frame.returned[0] == value and value.__class__ in (Ref, Choice):
         function = frame.returned[1]
-        symbol = linked(machine).declared[function.code.key]
-        type_ = (
-            evaluate(machine, symbol.type, function.module) if symbol.type is not None and not symbol.template else NONE
-        )
+        symbol = linked(machine).declared.get(function.code.key)  # None of a lambda
+        type_: Value = NONE
+        if symbol is not None and symbol.type is not None and not symbol.template:
+            type_ = evaluate(machine, symbol.type, function.module)
         if is_of_another(machine, value, type_):
             return as_one(machine, value, type_)
     return copied(machine, value)

@@ -27,7 +27,7 @@ from rosward.engine.cpp.handing import decayed, hand_over, is_member
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.opaque import opaque
-from rosward.engine.cpp.overloading import choose, fitting, takes
+from rosward.engine.cpp.overloading import choose, fitting
 from rosward.engine.cpp.specialising import specialised
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, type_of
@@ -115,7 +115,7 @@ def _of_several(
     given = args
     functions: Sequence[Function] = several.functions
     if several.receiver is None and functions:
-        functions = _without_object(functions, len(args))
+        functions = _without_object(machine, functions, args)
     if several.receiver is None and functions and _leads(functions[0]):  # a member function without its object
         overridden = _overridden(machine, several, args)
         if overridden:
@@ -139,12 +139,10 @@ def _of_several(
     return one(chosen[0]) if len(chosen) == 1 else each_apart(machine, list(chosen), one)
 
 
-def _without_object(functions: Sequence[Function], count: int) -> Sequence[Function]:
-    """Those that are meant where nobody gives an object, as in `C::f(a, b)`: static ones, where one takes so many."""
+def _without_object(machine: Engine, functions: Sequence[Function], args: Arguments) -> Sequence[Function]:
+    """Those that are meant where nobody gives an object, as in `C::f(a, b)`: static ones, where one takes these arguments."""
     static = [f for f in functions if not _leads(f)]
-    return (
-        static if len(static) < len(functions) and any(takes(f.code.signature, count, 0) for f in static) else functions
-    )
+    return static if len(static) < len(functions) and fitting(machine, static, args) else functions
 
 
 _NESTED: Final = 4

@@ -32,7 +32,7 @@ from rosward.engine.cpp.binding import instance
 from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.converting import as_value, decaying
 from rosward.engine.cpp.packs import items_of
-from rosward.engine.cpp.types import pointee, pointer_to, type_of
+from rosward.engine.cpp.types import plain_type, pointee, pointer_to, type_of
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
 from rosward.engine.python import exceptions as python_exceptions
@@ -175,7 +175,7 @@ def _initialise(machine: Engine, op: cpp.Initialise, frame: Frame) -> bool | Non
 def _invoke(machine: Engine, op: cpp.Invoke, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     args = decaying(machine, given(frame, op.arguments))
-    frame.handed, frame.fresh = frame.fresh, UNBOUND
+    frame.handed, frame.fresh, frame.returned = frame.fresh, UNBOUND, None
     value = calls.invoke(machine, frame.registers[op.func], args)
     return _result(machine, frame, op, value)
 
@@ -187,7 +187,7 @@ def _invoke_member(machine: Engine, op: cpp.InvokeMember, frame: Frame) -> bool 
     args = decaying(machine, given(frame, op.arguments))
     types = access.types_of(frame, op.types)
     scope = frame.registers[op.scope] if op.scope != ops.NO_REGISTER else None
-    frame.handed, frame.fresh = frame.fresh, UNBOUND
+    frame.handed, frame.fresh, frame.returned = frame.fresh, UNBOUND, None
     obj = frame.registers[op.obj]
 
     def declared() -> Value:
@@ -240,7 +240,7 @@ def _make_type(_machine: Engine, op: cpp.MakeType, frame: Frame) -> None:
 def _type_of_value(machine: Engine, op: cpp.TypeOfValue, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     src = frame.registers[op.src]
-    frame.registers[op.dst] = detection.member_type(machine, src, op.member) if op.member else type_of(machine, src)
+    frame.registers[op.dst] = detection.member_type(machine, src, op.member) if op.member else plain_type(machine, src)
 
 
 def _braces(_machine: Engine, op: cpp.Braces, frame: Frame) -> None:

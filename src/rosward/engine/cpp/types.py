@@ -16,7 +16,7 @@ from rosward.domain.slots import Enumerated, Overloads, Pointer, Slot, TypeOf, i
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine.cpp.linked import linked
-from rosward.ir.arithmetic import LONG
+from rosward.ir.arithmetic import LONG, same_type
 from rosward.ir.symbols import TypePattern
 from rosward.models.cpp.characters import is_text
 from rosward.models.cpp.slots import read
@@ -35,6 +35,7 @@ __all__ = [
     "is_message",
     "is_pointer_pattern",
     "match",
+    "plain_type",
     "pointee",
     "pointer_member",
     "pointer_to",
@@ -89,6 +90,12 @@ def dotted(type_: Value) -> str:
     if isinstance(type_, Class):
         return type_.dotted
     return type_.name if isinstance(type_, (External, TypeOf, Native)) else ""
+
+
+def plain_type(machine: Engine, value: Value) -> Value:
+    """The type of a value, or a type; that of numbers by the one of its names that stands for all, so that it can be compared."""
+    found = type_of(machine, value)
+    return TypeOf(same_type(found.name), ()) if isinstance(found, TypeOf) and not found.arguments else found
 
 
 def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:

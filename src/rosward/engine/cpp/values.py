@@ -200,7 +200,16 @@ def _functions(machine: Engine, found: Found, depth: int = 0) -> Iterator[tuple[
         elif symbol.kind is SymbolKind.USING and depth < _DEPTH and (found.owner is None or symbol.code is not None):
             named = used(machine, found, symbol)
             if isinstance(named, Found):
-                yield from _functions(machine, named, depth + 1)
+                yield from (each for each in _functions(machine, named, depth + 1) if not _is_hidden(found, each[0]))
+
+
+def _is_hidden(found: Found, used: Symbol) -> bool:
+    """Whether a class has a function of its own in place of one that it names of a base."""
+    taken = [p.type for p in used.parameters]
+    return found.owner is not None and any(
+        s.kind is SymbolKind.FUNCTION and s.constant == used.constant and [p.type for p in s.parameters] == taken
+        for s in found.symbols
+    )
 
 
 def function_of(machine: Engine, symbol: Symbol, env: ModuleValue) -> Function:

@@ -218,7 +218,7 @@ class Seen:
                 return (*base, *names)
             for file in self.files if depth < _DEPTH else ():
                 for symbol in file.plain.get(base, {}).get(names[0].partition("<")[0], ()):
-                    target = _stands_for(symbol)
+                    target = stands_for(symbol)
                     found = self._meant(base, target, depth + 1) if target and target != names[:1] else None
                     if found is not None:
                         return (*found, *names[1:])
@@ -235,7 +235,7 @@ class Seen:
                     yield from ((*base[:n], *used.target) for n in range(length, -1, -1))
 
 
-def _stands_for(symbol: CppSymbol) -> Scope:
+def stands_for(symbol: CppSymbol) -> Scope:
     """The names of the class or namespace that a `using` or alias stands for."""
     if symbol.kind is SymbolKind.ALIAS:
         described = symbol.declared.node.child_by_field_name("type")

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final, Literal
 
+from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.compared import compared
 from rosward.frontends.cpp.lower.initialisers import arguments, construct, given
@@ -19,6 +20,7 @@ from rosward.frontends.cpp.lower.survey import through_member, through_number, w
 from rosward.frontends.cpp.lower.types import REFERENCES, TYPES, has, type_of
 from rosward.frontends.cpp.macros import EITHER
 from rosward.frontends.cpp.suited import TYPE, type_meant
+from rosward.ir.arithmetic import same_type
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp import Argued, Assign, Convert, Invoke, InvokeMember, MakeType, Read, TypeOfValue
 from rosward.ir.op import Block
@@ -250,9 +252,9 @@ def _typeid(body: Body, node: Node, listed: Node | None, _want: Want) -> int:
     if len(inner) != 1:
         return body.unknown(node, "syntax")
     name = word(inner[0])
-    if name.startswith(TYPE):
+    if type_ := same_type(type_meant(name)) if name.startswith(TYPE) else type_written(body, inner[0]):
         src = body.register()
-        body.emit(MakeType(*body.place(node), src, type_meant(name)))
+        body.emit(MakeType(*body.place(node), src, type_))
     else:
         src = body.slot(inner[0])
     dst = body.register()

@@ -24,6 +24,7 @@ from rosward.frontends.cpp.lower.types import (
     builtin,
     declared_type,
     has,
+    is_as_written,
     is_buffer,
     is_text_array,
     type_of,
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _AUTO: Final = frozenset({"placeholder_type_specifier", "auto"})
+_NAMES: Final = frozenset({"qualified_identifier", "field_expression"})
 _CLASSES: Final = frozenset({"class_specifier", "struct_specifier", "union_specifier", "enum_specifier"})
 _LASTING: Final = frozenset({"static", "thread_local"})
 
@@ -131,7 +133,7 @@ def _one(
     static: bool,
     equals: bool,
 ) -> Variable:
-    reference = has(shape, REFERENCES)
+    reference = has(shape, REFERENCES) or (is_as_written(type_node) and is_place(body, what))
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
     number = "" if points or static else builtin(type_node)
     itself = isinstance(what, Given) or what is None or what.type != "lambda_expression"  # a lambda may call itself
@@ -179,6 +181,16 @@ def _one(
         if holds and found not in body.scopes[-1].objects:
             body.scopes[-1].objects.append(found)
     return found
+
+
+def is_place(body: Body, what: Node | Given | None) -> bool:
+    """Whether `decltype(auto)` stands for a reference to a value, or, where that is new, for what lives as long."""
+    if what is None or isinstance(what, Given):
+        return False
+    if what.type == "identifier":  # not in parentheses: of the type of the variable
+        variable = body.variable(word(what))
+        return variable is not None and variable.reference
+    return what.type == "call_expression" or (is_lvalue(what) and what.type not in _NAMES)
 
 
 def initial(

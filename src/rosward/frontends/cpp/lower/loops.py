@@ -28,6 +28,7 @@ from rosward.frontends.cpp.lower.types import (
     builtin,
     declared_type,
     has,
+    is_as_written,
     within,
 )
 from rosward.frontends.cpp.lower.variables import Loop
@@ -157,7 +158,7 @@ def _range(body: Body, node: Node) -> None:
         body.unknown(node, "syntax")
         body.close(node)
         return
-    reference = has(shape, REFERENCES)
+    reference = has(shape, REFERENCES) or is_as_written(node.child_by_field_name("type"))
     source = body.slot(right)
     elements = body.register()
     body.floor = body.free_register

@@ -13,7 +13,7 @@ from rosward.frontends.cpp.declarators import named
 from rosward.frontends.cpp.lower import narrowing
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.choices import statements
-from rosward.frontends.cpp.lower.declarations import condition
+from rosward.frontends.cpp.lower.declarations import condition, is_place
 from rosward.frontends.cpp.lower.initialisers import construct, given
 from rosward.frontends.cpp.lower.jumps import goto, leaves
 from rosward.frontends.cpp.lower.literals import is_of
@@ -21,7 +21,7 @@ from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.narrowing import Outcome
 from rosward.frontends.cpp.lower.seen import own
 from rosward.frontends.cpp.lower.survey import word
-from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, builtin, declared_type, has
+from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, builtin, declared_type, has, is_as_written
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.control import Break, Continue, Handler, If, Raise, Return, Try
 from rosward.ir.core import NO_REGISTER
@@ -170,6 +170,12 @@ def _returned(body: Body, node: Node, value: Node) -> int:
         return construct(body, node, kind, given(body, value, copy=True))
     variable = body.variable(word(value)) if value.type == "identifier" else None
     is_own = variable is not None and not variable.reference
+    if is_as_written(returns.type) and is_place(
+        body, value
+    ):  # a reference, of which a copy is given: of the whole object
+        dst = body.register()
+        body.emit(Copy(*body.place(node), dst, body.slot(value), NO_REGISTER))
+        return dst
     if returns.plain or (is_of(builtin(returns.type), value) and not has(returns.declarator, POINTERS)):
         return body.value(value) if is_own else body.own(value)
     dst = body.register()

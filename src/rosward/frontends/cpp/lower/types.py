@@ -148,6 +148,13 @@ def has(declarator: Node | None, kinds: frozenset[str]) -> bool:
     return False
 
 
+def is_as_written(type_node: Node | None) -> bool:
+    """Whether a type is `decltype(auto)`: that of an expression, also where it is a reference."""
+    if type_node is None or type_node.type != "placeholder_type_specifier":
+        return False
+    return any(child.type == "decltype" for child in type_node.children)
+
+
 def _type(body: Body, node: Node, _want: Want) -> int:
     """A type where a value may stand as well: `typeid(int)`, an argument or default of a template."""
     return type_of(body, node, keep=True)
