@@ -5,7 +5,7 @@ importlib.import_module('plugs.nav')        plugs.nav
 importlib.import_module(f'plugs.{kind}')    plugs.*, a module in that package
 importlib.import_module(f'{kind}.msg')      *.msg
 importlib.import_module(f'.{kind}', __name__), f'{__name__}.{kind}'    .*, one beside this file
-pkgutil.iter_modules(plugs.__path__)        plugs.*
+pkgutil.iter_modules(plugs.__path__)        plugs.*, where the file loads something by name
 importlib.import_module(name)               *, any; but what `name` is given in this file, where it is given nothing else
 """
 
@@ -31,10 +31,32 @@ _FIELD: Final = re.compile(r"%(?:\(\w*\))?[a-z]|\{[^{}]*\}")
 _CHANGES: Final = frozenset({"update", "setdefault", "__setitem__"})
 _NAMED: Final = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
 _OWN: Final = ("__name__", "__package__")
+_LONGEST: Final = 300  # characters
+_MOST: Final = 100
+"""So many names of one file are told apart."""
+_MOST_HOLES: Final = 2
+"""Of so many unknown parts a name is more than a beginning and an end: each costs who looks for files with such a name."""
 
 
-def loads(tree: ast.Module, text: str) -> Iterator[str]:
-    """The names of modules, as this page's head shows them. `import_module` under another name may load any."""
+def loads(tree: ast.Module, text: str) -> list[str]:
+    """The names of modules, as this page's head shows them. `import_module` under another name may load any, as may too many names."""
+    found: dict[str, None] = {}
+    for name in _loads(tree, text):
+        found[_short(name)] = None
+        if len(found) > _MOST:
+            return [ANY]
+    return list(found)
+
+
+def _short(name: str) -> str:
+    """The same, or what takes less to look for and means that, too."""
+    first, *rest = name.split(ANY)
+    if len(name) > _LONGEST:
+        return ANY
+    return f"{first}{ANY}{rest[-1]}" if len(rest) > _MOST_HOLES else name
+
+
+def _loads(tree: ast.Module, text: str) -> Iterator[str]:
     words = set(_WORDS.findall(text))
     others = {w for w in words if (of := _OTHERWISE.get(w)) is not None and re.search(rf"\b{of}", text)}
     if words.isdisjoint(_BY_NAME) and not others:
@@ -101,7 +123,7 @@ class _Reader:
         if node.id not in self._of_name:
             self._of_name[node.id] = [ANY]  # of a name that is given something of itself
             found = dict.fromkeys(text for each in self._all_given(node.id) for text in self._alternatives(each))
-            self._of_name[node.id] = list(found) if found else [ANY]
+            self._of_name[node.id] = list(found) if 0 < len(found) <= _MOST else [ANY]
         return self._of_name[node.id]
 
     def _of_table(self, node: ast.expr | None) -> list[str]:
@@ -114,9 +136,13 @@ class _Reader:
         given = self._all_given(table.id)
         if len(given) != 1 or not isinstance(given[0], ast.Dict) or table.id in self._changed:
             return []
-        return [self._text(value) for value in given[0].values]
+        return [self._text(value) for value in given[0].values] if len(given[0].values) <= _MOST else []
 
     def _text(self, node: ast.expr | None) -> str:
+        found = self._read(node)
+        return found if len(found) <= _LONGEST else ANY
+
+    def _read(self, node: ast.expr | None) -> str:
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             return node.value.replace(ANY, "")
         if isinstance(node, ast.JoinedStr):
