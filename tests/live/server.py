@@ -164,7 +164,8 @@ def _start(what: str) -> None:
 
 def _instantiate(module: Any) -> None:
     """Each node class of a module from which no other one of it is derived."""
-    rclpy.init()
+    if not rclpy.ok():  # the module may have done so
+        rclpy.init()
     classes = [
         c
         for c in vars(module).values()
