@@ -45,7 +45,7 @@ def flows(path: Path) -> list[NodeFlows]:
     return [node.flows for node in result.network.nodes if node.flows is not None]
 
 
-@pytest.mark.parametrize("path", sample(PROGRAMS, 2), ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", sample(PROGRAMS, 4), ids=lambda p: p.stem)
 def test_what_flows(path: Path) -> None:
     found = flows(path)
     lines = Counter(

