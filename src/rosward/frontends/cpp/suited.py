@@ -186,9 +186,9 @@ def operator_meant(name: str) -> str:
 
 
 def type_meant(name: str) -> str:
-    """`unsigned int` for the `$nsigned$int` that stands for it."""
+    """`unsigned int` for the `$nsigned$int` that stands for it; '' for any other name that begins so."""
     rest = name[1:].replace(TYPE, " ")
-    return next(f"{first}{rest}" for first in _FIRST if _TYPES.fullmatch(f"{first}{rest}"))
+    return next((f"{first}{rest}" for first in _FIRST if _TYPES.fullmatch(f"{first}{rest}")), "")
 
 
 def _named_operator(found: re.Match[str]) -> str:
