@@ -28,7 +28,8 @@ SMALL: Final = frozenset(
 
 def same_type(name: str) -> str:
     """An arithmetic type by the one of its names that stands for all."""
-    return _SAME.get(name) or _SAME.get(_shorter(name), _shorter(name))
+    short = _shorter(name)
+    return _SAME.get(name) or _SAME.get(short, short)
 
 
 def _shorter(name: str) -> str:

@@ -33,7 +33,7 @@ from rosward.models.cpp.types import NOT_OF_ONE, argument
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["choose", "fit", "fitting", "takes"]
+__all__ = ["choose", "fit", "fitting"]
 
 _EXACT: Final = 5
 _NEAR: Final = 4
@@ -50,7 +50,7 @@ def choose(
     machine: Engine, functions: Sequence[Function], args: tuple[Value, ...], types: tuple[Value, ...]
 ) -> list[Function]:
     """Those that are meant, of which the arguments (without those that lead) are given; all where none fits."""
-    by_number = [f for f in functions if takes(f.code.signature, len(args), len(types))]
+    by_number = [f for f in functions if _takes(f.code.signature, len(args), len(types))]
     if len(by_number) <= 1:
         return by_number or list(functions[:1])
     values = [read(machine, a) for a in args]
@@ -72,7 +72,7 @@ def choose(
 def fitting(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]) -> list[Function]:
     """Those that may be called with arguments of which something is known."""
     values = [read(machine, a) for a in args]
-    by_number = [f for f in functions if takes(f.code.signature, len(args), 0)]
+    by_number = [f for f in functions if _takes(f.code.signature, len(args), 0)]
     return [f for f in by_number if _score(machine, f, values, (), cast=cast_to(machine, args)) is not None]
 
 
@@ -132,10 +132,12 @@ def _is_enabled(machine: Engine, function: Function, args: tuple[Value, ...], ty
     return result is None or evaluate(machine, result, env, types=tuple(given)) != NO_TYPE
 
 
-def takes(signature: Signature | None, count: int, types: int) -> bool:
+def _takes(signature: Signature | None, count: int, types: int) -> bool:
     """Whether a function may be called with so many arguments, and so many types."""
-    if signature is None or (types > len(signature.template) and not any(p.pack for p in signature.template)):
-        return signature is None
+    if signature is None:
+        return True
+    if types > len(signature.template) and not any(p.pack for p in signature.template):
+        return False
     least = sum(1 for p in signature.parameters if not p.default and not p.pack)
     most = None if any(p.pack for p in signature.parameters) else len(signature.parameters)
     return count >= least and (most is None or count <= most)
