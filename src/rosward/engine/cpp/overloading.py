@@ -133,7 +133,6 @@ def _is_enabled(machine: Engine, function: Function, args: tuple[Value, ...], ty
 
 
 def _takes(signature: Signature | None, count: int, types: int) -> bool:
-    """Whether a function may be called with so many arguments, and so many types."""
     if signature is None:
         return True
     if types > len(signature.template) and not any(p.pack for p in signature.template):
