@@ -107,7 +107,7 @@ ON_DEMAND: Final = {
     ("analysis/read.py", "rosward.cache.version"),
     ("analysis/process.py", "rosward.analysis.linked"),
     ("analysis/process.py", "rosward.flow.process"),
-    ("analysis/process.py", "rosward.engine.watch"),
+    ("analysis/process.py", "rosward.engine.watching.watch"),
     ("analysis/runner.py", "rosward.analysis.known"),
     ("analysis/runner.py", "rosward.analysis.models_state"),
     ("analysis/runner.py", "rosward.analysis.outcome_form"),

@@ -30,7 +30,7 @@ from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.enclaves.size import size_findings
 from rosward.engine.budget import Budget
-from rosward.engine.remembered import Memory, remembering
+from rosward.engine.sources.remembered import Memory, remembering
 from rosward.findings import Finding, Findings
 from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment

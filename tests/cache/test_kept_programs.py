@@ -12,7 +12,7 @@ from rosward import Result, extract
 from rosward.analysis.compiled import Compiled, Planned
 from rosward.cache.results import _written as written
 from rosward.cache.store import Store
-from rosward.engine.remembered import Memory, remembering
+from rosward.engine.sources.remembered import Memory, remembering
 from rosward.frontends.cpp.symbols import CppSymbols
 from rosward.source.disk import watching
 

@@ -24,7 +24,7 @@ from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Choice, Const, Hole, Ref, Text, Unknown
 from rosward.effects.configuration import Configuration, Given
 from rosward.effects.entry import Entry
-from rosward.engine.written import NotWrittenError
+from rosward.engine.libraries.written import NotWrittenError
 from rosward.source.location import Place
 
 LAUNCH = """from launch import LaunchDescription

@@ -35,7 +35,7 @@ from rosward.domain.compound import Partial, Tuple
 from rosward.domain.text import concat, pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Choice, Const, Unknown, Value
-from rosward.engine.library import Library
+from rosward.engine.libraries.library import Library
 from rosward.models.tables import own_models
 from rosward.source.discover import discover
 from rosward.source.location import Place

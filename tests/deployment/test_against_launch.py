@@ -17,7 +17,7 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.python.code import LaunchPython
-from rosward.engine.library import Library
+from rosward.engine.libraries.library import Library
 from rosward.findings import Finding
 from rosward.models.tables import own_models
 from rosward.ros.distro import Distro

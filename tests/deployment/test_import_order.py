@@ -15,7 +15,7 @@ import pytest
 from deployment.python_tree import Files, Launch
 from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.python.code import LaunchPython
-from rosward.engine.library import Library
+from rosward.engine.libraries.library import Library
 from rosward.models.tables import own_models
 from rosward.source.discover import discover
 

@@ -30,7 +30,7 @@ from rosward.deployment.python.code import LaunchPython
 from rosward.domain.text import readable
 from rosward.domain.values import Const
 from rosward.effects.configuration import Given
-from rosward.engine.library import Library
+from rosward.engine.libraries.library import Library
 from rosward.models.tables import own_models
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover

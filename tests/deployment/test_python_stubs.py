@@ -18,8 +18,8 @@ from rosward.domain.values import Class, ModuleValue, Unknown
 from rosward.effects.log import EffectLog
 from rosward.engine.budget import Budget
 from rosward.engine.interpreter import Interpreter
-from rosward.engine.library import Library
-from rosward.engine.stub_files import STUBS
+from rosward.engine.libraries.library import Library
+from rosward.engine.libraries.stub_files import STUBS
 from rosward.models.tables import own_models
 
 ACTION = "launch.action.Action"

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rosward.engine.remembered import Lowered, Memory
+from rosward.engine.sources.remembered import Lowered, Memory
 from rosward.lsp.records import MalformedError, View, read, written
 from rosward.lsp.session import Session, Settings
 

@@ -6,9 +6,9 @@ from __future__ import annotations
 import pytest
 
 from rosward.domain.values import Value
-from rosward.engine import recalled
+from rosward.engine.calls import recalled
 from rosward.engine.machine import Engine
-from rosward.engine.summaries import Call
+from rosward.engine.running.summaries import Call
 
 
 def noted_recalls(monkeypatch: pytest.MonkeyPatch) -> list[Call]:

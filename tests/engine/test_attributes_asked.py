@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 import rosward
 from rosward.domain.heap import KIND, Obj
 from rosward.domain.values import NONE, Const
-from rosward.engine import schedule
-from rosward.engine.attributes_asked import FIRST, AttributeNames, records_of, says_the_same
+from rosward.engine.callbacks import schedule
 from rosward.engine.machine import Engine
-from rosward.engine.scheduled import Scheduled
+from rosward.engine.running.attributes_asked import FIRST, AttributeNames, records_of, says_the_same
+from rosward.engine.running.scheduled import Scheduled
 
 ADDRESSES = st.integers(0, 1 << 34)
 NAMES = st.text(max_size=4)

@@ -23,11 +23,11 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.standalone import of_sources
 from rosward.domain.values import Const, Value
 from rosward.engine.budget import Budget
-from rosward.engine.frame import Frame
 from rosward.engine.languages import LANGUAGES
-from rosward.engine.library import Library
+from rosward.engine.libraries.library import Library
 from rosward.engine.machine import Engine
 from rosward.engine.python.language import PYTHON
+from rosward.engine.running.frame import Frame
 from rosward.engine.transfer import CORE
 from rosward.frontends.front_end import FrontEnd
 from rosward.frontends.registry import FRONT_ENDS

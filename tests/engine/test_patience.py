@@ -10,7 +10,7 @@ import pytest
 
 import rosward
 from rosward.engine.budget import Budget
-from rosward.engine.precision import Precision
+from rosward.engine.running.precision import Precision
 
 _HEAVY: Final = """
 import rclpy

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rosward.analysis.attempts import run
 from rosward.analysis.read import SourcesRead, read_sources
-from rosward.engine.reads import Reads
+from rosward.engine.sources.reads import Reads
 from rosward.ros.distro import Distro
 
 FILES = {

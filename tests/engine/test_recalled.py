@@ -12,8 +12,8 @@ from compiled import interpreted
 from sampling import sample
 
 import rosward
-from rosward.engine import recalled
 from rosward.engine.budget import Budget
+from rosward.engine.calls import recalled
 from rosward.outputs.documents.network_json import network_json
 
 from .recalling import noted_recalls

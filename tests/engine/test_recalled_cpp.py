@@ -14,8 +14,8 @@ from sampling import sample
 
 import rosward
 from rosward.domain.values import ModuleValue, Value
-from rosward.engine import recalled
 from rosward.engine.budget import Budget
+from rosward.engine.calls import recalled
 from rosward.engine.cpp import values
 from rosward.engine.machine import Engine
 from rosward.ir.symbols import Symbol

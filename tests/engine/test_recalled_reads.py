@@ -11,7 +11,8 @@ import pytest
 from sampling import sample
 
 import rosward
-from rosward.engine import recalled, schedule
+from rosward.engine.callbacks import schedule
+from rosward.engine.calls import recalled
 from rosward.outputs.documents.network_json import network_json
 
 _HEAD: Final = """

@@ -11,8 +11,8 @@ import pytest
 from sampling import sample
 
 import rosward
-from rosward.engine import recalled
 from rosward.engine.budget import Budget
+from rosward.engine.calls import recalled
 from rosward.outputs.documents.network_json import network_json
 
 _HEAD: Final = """

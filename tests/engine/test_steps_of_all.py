@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 import rosward
-from rosward.engine import schedule
 from rosward.engine.budget import Budget
+from rosward.engine.callbacks import schedule
 
 PROGRAM = """
 import rclpy

@@ -9,11 +9,12 @@ import pytest
 
 import rosward
 from rosward.domain.values import Function, Value
-from rosward.engine import activation, schedule
 from rosward.engine.budget import Budget
+from rosward.engine.callbacks import schedule
+from rosward.engine.calls import activation
+from rosward.engine.calls.summarised import summarised
 from rosward.engine.machine import Engine
-from rosward.engine.schedule_book import Schedule
-from rosward.engine.summarised import summarised
+from rosward.engine.running.schedule_book import Schedule
 
 SOURCE = """
 #include <chrono>

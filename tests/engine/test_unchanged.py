@@ -11,9 +11,9 @@ import pytest
 from compiled import interpreted
 
 import rosward
-from rosward.engine import schedule
+from rosward.engine.callbacks import schedule
 from rosward.engine.machine import Engine
-from rosward.engine.scheduled import Scheduled
+from rosward.engine.running.scheduled import Scheduled
 from rosward.outputs.documents.network_json import network_json
 
 _THREADS: Final = """

@@ -14,9 +14,9 @@ from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Choice, Const, Hole, Text, Unknown, Value
-from rosward.engine.model_library import ModelLibrary
-from rosward.engine.stub_files import own_names
-from rosward.engine.written import NotWrittenError, Reader, Writer
+from rosward.engine.libraries.model_library import ModelLibrary
+from rosward.engine.libraries.stub_files import own_names
+from rosward.engine.libraries.written import NotWrittenError, Reader, Writer
 from rosward.ir.program import Code
 from rosward.models.native import Arguments, MissingArgumentError
 from rosward.models.tables import own_models

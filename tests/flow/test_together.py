@@ -9,7 +9,7 @@ from __future__ import annotations
 import pytest
 from sampling import sample
 
-from rosward.engine import watch
+from rosward.engine.watching import watch
 from rosward.flow import shape
 
 from .test_programs import PROGRAMS, _differences, _lacking, _told

@@ -29,7 +29,7 @@ import rosward
 from hostile.fuzz import Broken, write_good
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
-from rosward.engine.stub_files import STUBS
+from rosward.engine.libraries.stub_files import STUBS
 from rosward.models.tables import own_models
 from rosward.pipeline import Result
 

@@ -25,7 +25,7 @@ from rosward.domain.series import Series  # noqa: E402
 from rosward.domain.values import Const  # noqa: E402
 from rosward.effects.configuration import Configuration  # noqa: E402
 from rosward.engine.budget import Budget  # noqa: E402
-from rosward.engine.library import Library  # noqa: E402
+from rosward.engine.libraries.library import Library  # noqa: E402
 from rosward.models.tables import own_models  # noqa: E402
 from rosward.naming.collect import Process, collect  # noqa: E402
 from rosward.naming.command_line import read_words  # noqa: E402

@@ -13,7 +13,7 @@ from typing import Final
 
 import pytest
 
-from rosward.engine.stub_files import STUBS
+from rosward.engine.libraries.stub_files import STUBS
 
 rclpy = pytest.importorskip("rclpy")
 REAL: Final = Path(rclpy.__file__).parent

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from rosward.engine.stub_files import STUBS
+from rosward.engine.libraries.stub_files import STUBS
 
 EFFECTS = {"native", "creates", "calls", "spins", "pure", "changes"}
 MARK = "reads_only"

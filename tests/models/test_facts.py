@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import rosward
-from rosward.engine.stub_files import STUBS
+from rosward.engine.libraries.stub_files import STUBS
 from rosward.findings import Finding
 from rosward.models.facts import LibraryFacts, marked
 from rosward.models.ros.facts import OWN

@@ -22,12 +22,12 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.values import Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown
-from rosward.engine import spare
-from rosward.engine.kept_models import KeptModels, kept_models
-from rosward.engine.library import Library
-from rosward.engine.model_library import ModelLibrary
-from rosward.engine.model_units import units
-from rosward.engine.stub_files import STUBS, StubFiles
+from rosward.engine.libraries import spare
+from rosward.engine.libraries.kept_models import KeptModels, kept_models
+from rosward.engine.libraries.library import Library
+from rosward.engine.libraries.model_library import ModelLibrary
+from rosward.engine.libraries.model_units import units
+from rosward.engine.libraries.stub_files import STUBS, StubFiles
 from rosward.models.tables import own_models
 from rosward.source.discover import discover
 

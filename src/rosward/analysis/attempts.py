@@ -14,9 +14,9 @@ from rosward.analysis.seen import seen_of
 from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.engine.budget import BeginAnewError, Budget
-from rosward.engine.library import Library
-from rosward.engine.reads import Question, Reads
-from rosward.engine.remembered import depends_on_the_machine
+from rosward.engine.libraries.library import Library
+from rosward.engine.sources.reads import Question, Reads
+from rosward.engine.sources.remembered import depends_on_the_machine
 from rosward.ir.program import CPP, PYTHON
 
 _MOST_ATTEMPTS: Final = {PYTHON: 3, CPP: 1}

@@ -24,7 +24,7 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.cache.store import Store
-    from rosward.engine.remembered import Memory
+    from rosward.engine.sources.remembered import Memory
 
 __all__ = ["InMemory", "InStore", "Keeper", "Kept", "KeptProgram"]
 

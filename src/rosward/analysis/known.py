@@ -4,8 +4,8 @@
     talker.py asks: find("demo.names", 0, "talker.py"), module("demo/names.py"), read("demo", "config/names.yaml"), …
     the same answers as when it was run   ->  what it added then; another file that changed does not matter
 
-A process is asked for by its entry and by how it is started and run; what it asked of the sources (`engine/reads.py`) is kept with what it added,
-and a digest of the answers. These are asked again of the sources as they are now.
+A process is asked for by its entry and by how it is started and run; what it asked of the sources (`engine/sources/reads.py`) is kept with
+what it added, and a digest of the answers. These are asked again of the sources as they are now.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from rosward.analysis.models_state import stub_name
 from rosward.analysis.outcome_form import ENTRY, OUTCOME, QUESTIONS, configuration_form
 from rosward.cache.codec import MalformedError, loaded, text
 from rosward.domain.values import ModuleValue
-from rosward.engine.remembered import ask, depends_on_the_machine
-from rosward.engine.written import NotWrittenError
+from rosward.engine.libraries.written import NotWrittenError
+from rosward.engine.sources.remembered import ask, depends_on_the_machine
 from rosward.source import disk
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from rosward.analysis.outcome import Outcome, Outset, Task
     from rosward.analysis.read import SourcesRead
     from rosward.cache.store import Store
-    from rosward.engine.reads import Question
+    from rosward.engine.sources.reads import Question
 
 __all__ = ["Known"]
 

@@ -14,7 +14,7 @@ from rosward.analysis.seen import Seen
 from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.summary import creates
 from rosward.analysis.unreached import Unseen
-from rosward.engine.library import Library
+from rosward.engine.libraries.library import Library
 from rosward.ir.program import Code
 
 

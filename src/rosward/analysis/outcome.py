@@ -12,8 +12,8 @@ from rosward.analysis.seen import Seen, seen_of
 from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.engine.budget import Budget
-from rosward.engine.library import Library
-from rosward.engine.reads import Question
+from rosward.engine.libraries.library import Library
+from rosward.engine.sources.reads import Question
 from rosward.findings import Finding
 from rosward.guard import guarded
 from rosward.naming.collect import Process, collect

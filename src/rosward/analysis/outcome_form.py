@@ -29,8 +29,8 @@ from rosward.domain.unknown import Origin, Reason
 from rosward.domain.values import Choice, Hole, Text, Unknown
 from rosward.effects.configuration import Configuration, Given
 from rosward.effects.entry import Entry
-from rosward.engine.reads import Question
-from rosward.engine.written import NotWrittenError, Reader, Writer
+from rosward.engine.libraries.written import NotWrittenError, Reader, Writer
+from rosward.engine.sources.reads import Question
 from rosward.findings import Finding
 from rosward.source.location import Place
 

@@ -14,7 +14,7 @@ from typing import Final
 
 from rosward.analysis.source_tree import SourceTree
 from rosward.effects.entry import Entry
-from rosward.engine.library import Library
+from rosward.engine.libraries.library import Library
 from rosward.findings import Finding
 from rosward.frontends.python.loads import ANY
 from rosward.records import NamedTuple

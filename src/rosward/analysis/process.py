@@ -17,14 +17,14 @@ from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.effects.flows import ProcessFlows
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect
-from rosward.engine import assumed, handed, outside
 from rosward.engine.arguments import ANY
 from rosward.engine.budget import Budget, LimitReachedError
-from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
-from rosward.engine.library import Library
-from rosward.engine.reads import Reads
-from rosward.engine.shared import Shared
+from rosward.engine.libraries.library import Library
+from rosward.engine.running.frame import Frame
+from rosward.engine.sources.reads import Reads
+from rosward.engine.sources.shared import Shared
+from rosward.engine.unknown import assumed, handed, outside
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.op import Op
@@ -35,7 +35,7 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from rosward.engine.watch import Watch
+    from rosward.engine.watching.watch import Watch
 
 
 @dataclass(slots=True)
@@ -147,7 +147,7 @@ def _to_its_end(
 
 def _watch() -> Watch:
     """Who watches where flow is asked for; what most runs do not need is not loaded."""
-    from rosward.engine.watch import Watch
+    from rosward.engine.watching.watch import Watch
 
     return Watch()
 

@@ -16,8 +16,8 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.request import Request
 from rosward.effects.shell import shell
 from rosward.engine.budget import Budget
-from rosward.engine.library import Library
-from rosward.engine.remembered import memory_here
+from rosward.engine.libraries.library import Library
+from rosward.engine.sources.remembered import memory_here
 from rosward.guard import Steps
 from rosward.models.tables import own_models
 from rosward.records import NamedTuple

@@ -14,8 +14,8 @@ from rosward.domain.compound import External
 from rosward.domain.values import Class, Unknown, Value
 from rosward.effects.log import EffectLog
 from rosward.effects.variables import Variables
-from rosward.engine.escape import name_of
-from rosward.engine.shared import Shared
+from rosward.engine.sources.shared import Shared
+from rosward.engine.unknown.escape import name_of
 from rosward.ir.program import MODEL_PREFIX, OpKey
 from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
@@ -65,7 +65,7 @@ class AskedVariable(NamedTuple):
 
 
 class Seen(NamedTuple):
-    """What the interpretation of one process came by; each part as `engine/trace.py` and `effects/log.py` have it, without code of models."""
+    """What the interpretation of one process came by; each part as `engine/running/trace.py` and `effects/log.py` have it, without code of models."""
 
     program: str
     entered: frozenset[str]

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.summary import Creation, Summary, creations_of, main_calls
 from rosward.effects.entry import Entry
-from rosward.engine.found import FoundModule
-from rosward.engine.remembered import Lowered, memory_here
+from rosward.engine.sources.found import FoundModule
+from rosward.engine.sources.remembered import Lowered, memory_here
 from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of

@@ -37,7 +37,7 @@ from rosward.effects.log import EffectLog
 from rosward.effects.shell import Shell
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget
-from rosward.engine.library import Library
+from rosward.engine.libraries.library import Library
 from rosward.findings import Finding, Findings
 from rosward.guard import Steps, guarded
 from rosward.models.file_paths import Location, path_of

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.domain.text import parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Choice, Hole, Unknown, Value
-from rosward.engine.remembered import memory_here
+from rosward.engine.sources.remembered import memory_here
 from rosward.models.file_paths import Location, location_of, path_of
 
 if TYPE_CHECKING:

@@ -12,15 +12,18 @@ from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, ModuleValue, Ref, Unknown, Value
-from rosward.engine import escape, nodes_asked, schedule, throwing
-from rosward.engine.frame import own_frame
+from rosward.engine import throwing
+from rosward.engine.callbacks import schedule
+from rosward.engine.running import nodes_asked
+from rosward.engine.running.frame import own_frame
+from rosward.engine.unknown import escape
 from rosward.findings import Finding
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import NodeEffect
     from rosward.engine.machine import Engine
-    from rosward.engine.stepped import Resumption, Stepped
+    from rosward.engine.running.stepped import Resumption, Stepped
     from rosward.ir.program import Code
     from rosward.models.file_paths import Files
     from rosward.models.native import Items, ResumptionKind

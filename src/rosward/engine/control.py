@@ -16,8 +16,8 @@ from rosward.domain.state import EventKey
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import INSTEAD, Cause, Reason
 from rosward.domain.values import UNBOUND, Choice, Const, Unknown, Value
-from rosward.engine.frame import Frame, Snapshot, join_into
-from rosward.engine.rest import Rest
+from rosward.engine.running.frame import Frame, Snapshot, join_into
+from rosward.engine.running.rest import Rest
 from rosward.engine.throwing import note_turn
 from rosward.ir import ops
 from rosward.models.ros import parameter_table

@@ -19,15 +19,15 @@ from rosward.domain.suspended import Suspension
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, ModuleValue, Ref, Value
 from rosward.engine.answers import Answers
-from rosward.engine.attributes_asked import AttributeNames
 from rosward.engine.budget import Budget
-from rosward.engine.catcher import Catcher
-from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.languages import Watched
-from rosward.engine.precision import Precision
-from rosward.engine.schedule_book import Schedule
-from rosward.engine.summaries import Summaries
-from rosward.engine.trace import Trace
+from rosward.engine.running.attributes_asked import AttributeNames
+from rosward.engine.running.catcher import Catcher
+from rosward.engine.running.frame import Frame, Snapshot
+from rosward.engine.running.precision import Precision
+from rosward.engine.running.schedule_book import Schedule
+from rosward.engine.running.summaries import Summaries
+from rosward.engine.running.trace import Trace
 from rosward.ir import ops
 from rosward.models.native import Items
 from rosward.models.python.containers.sets import distinct
@@ -37,8 +37,8 @@ if TYPE_CHECKING:
     from rosward.effects.log import EffectLog, EntityEffect
     from rosward.effects.sent import SentEffect
     from rosward.engine.machine import Language, SharedLanguages, Watcher
-    from rosward.engine.stepped import Running
-    from rosward.engine.ways import Way
+    from rosward.engine.running.stepped import Running
+    from rosward.engine.running.ways import Way
 
 _OBJECTS_A_STEP: Final = 3  # how many objects are joined in the time of one step, about
 

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING, Any, Protocol, final
 
-from rosward.engine.shared import Shared
+from rosward.engine.sources.shared import Shared
 from rosward.models.native import Machine
 from rosward.records import dataclass
 
@@ -25,17 +25,17 @@ if TYPE_CHECKING:
     from rosward.domain.values import Class, Function, ModuleValue, Ref, Value
     from rosward.effects.log import EntityEffect
     from rosward.effects.sent import SentEffect
-    from rosward.engine.attributes_asked import AttributeNames
     from rosward.engine.budget import Budget
-    from rosward.engine.catcher import Catcher
-    from rosward.engine.frame import Frame, Snapshot
-    from rosward.engine.precision import Precision
-    from rosward.engine.schedule_book import Schedule
-    from rosward.engine.scheduled import Scheduled
-    from rosward.engine.stepped import Resumption, Running, Stepped
-    from rosward.engine.summaries import Summaries
-    from rosward.engine.trace import Trace
-    from rosward.engine.ways import Way
+    from rosward.engine.running.attributes_asked import AttributeNames
+    from rosward.engine.running.catcher import Catcher
+    from rosward.engine.running.frame import Frame, Snapshot
+    from rosward.engine.running.precision import Precision
+    from rosward.engine.running.schedule_book import Schedule
+    from rosward.engine.running.scheduled import Scheduled
+    from rosward.engine.running.stepped import Resumption, Running, Stepped
+    from rosward.engine.running.summaries import Summaries
+    from rosward.engine.running.trace import Trace
+    from rosward.engine.running.ways import Way
     from rosward.ir import ops
     from rosward.ir.program import Code
     from rosward.models.native import Items, ResumptionKind

@@ -10,8 +10,8 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.state import State
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Unknown, Value
-from rosward.engine.catcher import ANYTHING, LIBRARY, OPERATION, Catcher
-from rosward.engine.told import Kind, Telling
+from rosward.engine.running.catcher import ANYTHING, LIBRARY, OPERATION, Catcher
+from rosward.engine.running.told import Kind, Telling
 from rosward.models.failures import tell_uncaught
 from rosward.models.python.plain import EXCEPTION_HINT
 

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Choice, Const, Function, Ref
 from rosward.engine import control, narrowing
-from rosward.engine.frame import Frame
+from rosward.engine.calls.recalled_loops import recalling
 from rosward.engine.machine import Handler
-from rosward.engine.recalled_loops import recalling
+from rosward.engine.running.frame import Frame
 from rosward.ir import ops
 from rosward.models.ros import parameter_table
 

@@ -10,7 +10,7 @@ from rosward.effects.flows import Callback
 from rosward.models.ros.callbacks import callback_name
 
 if TYPE_CHECKING:
-    from rosward.engine.scheduled import Scheduled
+    from rosward.engine.running.scheduled import Scheduled
     from rosward.flow.walker import Walker
 
 

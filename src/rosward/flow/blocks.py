@@ -20,7 +20,7 @@ from rosward.flow.reading import elements, narrowed, opaque
 from rosward.ir import ops
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Seen
+    from rosward.engine.running.seen import Seen
     from rosward.flow.memory import Memory
     from rosward.flow.walker import Walker
 

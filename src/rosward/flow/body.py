@@ -8,7 +8,7 @@ from itertools import compress
 from operator import is_not
 from typing import final
 
-from rosward.engine.seen import Activation
+from rosward.engine.running.seen import Activation
 from rosward.flow.content import Content, both
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.memory import Memory

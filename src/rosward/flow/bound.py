@@ -10,7 +10,7 @@ from itertools import chain
 from typing import TYPE_CHECKING, Final
 
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
-from rosward.engine.seen import Called, Handed, refs_of
+from rosward.engine.running.seen import Called, Handed, refs_of
 from rosward.flow.body import Body
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted

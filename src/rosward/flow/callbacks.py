@@ -21,7 +21,7 @@ from rosward.flow.partials import Given, bound_in
 from rosward.flow.ways import Way, each_way, joined_marks
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Activation, Called, Performed
+    from rosward.engine.running.seen import Activation, Called, Performed
     from rosward.flow.walker import Walker
 
 

@@ -17,8 +17,8 @@ from rosward.domain.values import Class, Function, Value
 from rosward.effects.flows import Sink
 from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import MAYBE
-from rosward.engine.escape import BY_LIBRARY
-from rosward.engine.seen import Activation, Seen, refs_of
+from rosward.engine.running.seen import Activation, Seen, refs_of
+from rosward.engine.unknown.escape import BY_LIBRARY
 from rosward.flow import implicit, library, natives
 from rosward.flow.body import Attempt, Body, Point
 from rosward.flow.bound import NO_SPREAD, Spread, all_bound, handed

@@ -16,7 +16,7 @@ from rosward.flow.marks import Mark, Root
 from rosward.flow.native_call import NativeCall
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Seen
+    from rosward.engine.running.seen import Seen
     from rosward.flow.body import Body
     from rosward.flow.memory import Memory
     from rosward.flow.walker import Walker

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class
-from rosward.engine.seen import Seen, refs_of
+from rosward.engine.running.seen import Seen, refs_of
 from rosward.flow import cpp_making, cpp_outside, straight
 from rosward.flow.body import Body
 from rosward.flow.content import Content
@@ -34,7 +34,7 @@ from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
 from rosward.ir import cpp, ops
 from rosward.ir.registers import reads
-from rosward.models.cpp.shared_storage import overlapping
+from rosward.models.cpp.values.shared_storage import overlapping
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker

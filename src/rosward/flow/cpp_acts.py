@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.engine.seen import Seen
+from rosward.engine.running.seen import Seen
 from rosward.flow import cpp_calls, cpp_outside
 from rosward.flow.body import Body
 from rosward.flow.cpp_values import (

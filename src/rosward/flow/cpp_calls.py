@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
 from rosward.effects.sent import SentEffect
-from rosward.engine.seen import Activation, Bound, Seen
+from rosward.engine.running.seen import Activation, Bound, Seen
 from rosward.flow import library
 from rosward.flow.body import Body
 from rosward.flow.calls import KINDS, send
@@ -24,7 +24,7 @@ from rosward.flow.cpp_values import (
 )
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot
 from rosward.flow.ways import Way, each_way, either, joined_marks
-from rosward.models.cpp.typed import Declared
+from rosward.models.cpp.values.typed import Declared
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker

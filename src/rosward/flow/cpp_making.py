@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.values import NONE, Ref, Value
-from rosward.engine.seen import Bound, Seen, refs_of
+from rosward.engine.running.seen import Bound, Seen, refs_of
 from rosward.flow import cpp_calls, cpp_outside
 from rosward.flow.body import Body
 from rosward.flow.content import Content

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, TypeGuard
 
 from rosward.effects.flows import Source
-from rosward.engine.seen import Seen
+from rosward.engine.running.seen import Seen
 from rosward.flow import library, parameters
 from rosward.flow.body import Body
 from rosward.flow.content import Content

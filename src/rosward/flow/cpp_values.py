@@ -10,14 +10,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.values import Ref, Value
-from rosward.engine.seen import refs_of
+from rosward.engine.running.seen import refs_of
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.reading import arising
-from rosward.models.cpp.typed import MESSAGE
+from rosward.models.cpp.values.typed import MESSAGE
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Seen
+    from rosward.engine.running.seen import Seen
     from rosward.flow.body import Body
     from rosward.flow.walker import Walker
 

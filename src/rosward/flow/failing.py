@@ -11,7 +11,7 @@ from rosward.flow.marked_cpp import is_safe
 from rosward.ir import ops
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Seen
+    from rosward.engine.running.seen import Seen
 
 
 STRUCTURED: Final = (

@@ -13,11 +13,11 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Value
-from rosward.engine.seen import refs_of
+from rosward.engine.running.seen import refs_of
 from rosward.flow.marks import HANDLED, Mark, Root
 
 if TYPE_CHECKING:
-    from rosward.engine.scheduled import Scheduled
+    from rosward.engine.running.scheduled import Scheduled
     from rosward.flow.walker import Walker
 
 _KEEPING: Final = frozenset(("logging", "warnings"))

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod
 from rosward.domain.values import Function, Value
-from rosward.engine.seen import Seen, refs_of
+from rosward.engine.running.seen import Seen, refs_of
 from rosward.flow import hidden
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.reading import elements

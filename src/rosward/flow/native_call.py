@@ -11,7 +11,7 @@ from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import constant
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Seen
+    from rosward.engine.running.seen import Seen
     from rosward.flow.body import Body
     from rosward.flow.walker import Walker
     from rosward.ir import ops

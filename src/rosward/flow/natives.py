@@ -15,7 +15,7 @@ from rosward.domain.compound import BoundMethod, External, Native
 from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.arguments import ANY, LOOSE, ORDER
-from rosward.engine.seen import refs_of
+from rosward.engine.running.seen import refs_of
 from rosward.flow import containers, frames, implicit, library, parameters, partials
 from rosward.flow.constructed import attributes, fill
 from rosward.flow.content import Content
@@ -31,7 +31,7 @@ from rosward.models.ros.interfaces import message_name
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from rosward.engine.seen import Performed, Seen
+    from rosward.engine.running.seen import Performed, Seen
     from rosward.flow.body import Body
     from rosward.flow.walker import Walker
 

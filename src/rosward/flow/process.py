@@ -15,8 +15,8 @@ from rosward.domain.values import Function, Ref, Unknown, Value
 from rosward.effects.flows import Flow, ProcessFlows, Sink, Source
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
-from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON, BY_WINDOW
-from rosward.engine.seen import refs_of
+from rosward.engine.running.seen import refs_of
+from rosward.engine.unknown.escape import BY_BASE, BY_LIBRARY, BY_PYTHON, BY_WINDOW
 from rosward.flow import blocks, cpp, cpp_calls, hidden, implicit, straight
 from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
@@ -35,10 +35,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from rosward.engine.interpreter import Interpreter
-    from rosward.engine.registered import Registered
-    from rosward.engine.scheduled import Scheduled
-    from rosward.engine.seen import Activation
-    from rosward.engine.watch import Watch
+    from rosward.engine.running.scheduled import Scheduled
+    from rosward.engine.running.seen import Activation
+    from rosward.engine.watching.registered import Registered
+    from rosward.engine.watching.watch import Watch
 
 _ROUNDS: Final = 40
 _LEAST: Final = 105_000

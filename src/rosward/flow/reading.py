@@ -14,7 +14,7 @@ from rosward.flow.ways import each_way
 
 if TYPE_CHECKING:
     from rosward.domain.unknown import Reason
-    from rosward.engine.seen import Seen
+    from rosward.engine.running.seen import Seen
     from rosward.flow.walker import Walker
 
 

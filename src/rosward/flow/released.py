@@ -12,7 +12,7 @@ from rosward.flow.marks import Mark, name_of
 from rosward.flow.site import callees
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Seen
+    from rosward.engine.running.seen import Seen
     from rosward.flow.walker import Walker
     from rosward.ir import ops
 

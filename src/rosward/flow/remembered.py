@@ -15,7 +15,7 @@ from rosward.ir.program import CPP, PYTHON
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Activation
+    from rosward.engine.running.seen import Activation
     from rosward.flow.content import Content, Layer
     from rosward.flow.marks import Mark, Root
     from rosward.flow.tracker import Keys, Tracker

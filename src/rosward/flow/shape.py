@@ -11,7 +11,7 @@ from rosward.domain.compound import External, Tuple
 from rosward.domain.values import NONE, Class, Function, Ref, Value
 from rosward.effects.flows import Source
 from rosward.engine.python.implicit import FOLLOWED
-from rosward.engine.seen import Activation, refs_of
+from rosward.engine.running.seen import Activation, refs_of
 from rosward.flow.marks import Root, unrolled
 from rosward.flow.said import marks_of, told_by
 from rosward.flow.store import Numbers

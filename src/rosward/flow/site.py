@@ -12,7 +12,7 @@ from typing import Final, final
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
 from rosward.domain.values import Class, Const, Function, Value
-from rosward.engine.seen import ALIVE, REACHED, Activation, Called, Handed, Seen
+from rosward.engine.running.seen import ALIVE, REACHED, Activation, Called, Handed, Seen
 from rosward.flow.marks import Root, of_library
 from rosward.ir import ops
 from rosward.ir.registers import reads

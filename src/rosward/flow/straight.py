@@ -23,7 +23,7 @@ from rosward.ir import ops
 from rosward.ir.registers import reads, writes
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Seen
+    from rosward.engine.running.seen import Seen
     from rosward.flow.walker import Walker
 
 _NO_ROOTS: Final[frozenset[Root]] = frozenset()

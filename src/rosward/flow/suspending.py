@@ -18,7 +18,7 @@ from rosward.flow.ways import either
 from rosward.ir import ops
 
 if TYPE_CHECKING:
-    from rosward.engine.seen import Seen
+    from rosward.engine.running.seen import Seen
     from rosward.flow.walker import Walker
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The walk through the code of a process: the second component of its interpretation, over what the first has seen.
 
-Which operations run, what objects an attribute leads to, whom a call reaches: all that is known (`engine/seen.py`). What is new is what each
+Which operations run, what objects an attribute leads to, whom a call reaches: all that is known (`engine/running/seen.py`). What is new is what each
 value depends on. Straight operations are in `straight.py`, calls in `calls.py`, blocks in `blocks.py`.
 """
 
@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
-from rosward.engine.escape import BY_LIBRARY
-from rosward.engine.seen import Activation, Seen
-from rosward.engine.watch import is_of_program
+from rosward.engine.running.seen import Activation, Seen
+from rosward.engine.unknown.escape import BY_LIBRARY
+from rosward.engine.watching.watch import is_of_program
 from rosward.flow.beside import Beside
 from rosward.flow.body import Attempt, Body, Point, here, where
 from rosward.flow.content import TooLongError
@@ -31,8 +31,8 @@ from rosward.ir.registers import writes
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.scheduled import Scheduled
-    from rosward.engine.watch import Watch
+    from rosward.engine.running.scheduled import Scheduled
+    from rosward.engine.watching.watch import Watch
     from rosward.flow.shape import Shape
 
 Handler = Callable[["Walker", Any, Body, Seen], "bool | None"]

@@ -6,7 +6,7 @@
     session.renew({"/ws/talker.py": b"…"}, {"/ws/talker.py"}, tell)      only what reads talker.py
 
 A view is told as soon as it is there. A system is analysed again only if it looked at a file that has changed; what a process did is remembered
-where all that it asked has the same answers (`engine/remembered.py`).
+where all that it asked has the same answers (`engine/sources/remembered.py`).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import Any, Final, NamedTuple, final
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.read import NothingToReadError, Progress, SourcesRead, read_sources
 from rosward.deployment.request import LaunchRequest, Request, UnknownRequestError
-from rosward.engine.remembered import PROGRAM, Memory, remembering
+from rosward.engine.sources.remembered import PROGRAM, Memory, remembering
 from rosward.findings import Finding
 from rosward.lsp.records import LAUNCH, SOURCES, View
 from rosward.lsp.views import view_of

@@ -26,7 +26,7 @@ from rosward.deployment.python.code import LaunchPython
 from rosward.domain.text import readable
 from rosward.effects.shell import shell
 from rosward.engine.budget import Budget
-from rosward.engine.library import Library
+from rosward.engine.libraries.library import Library
 from rosward.models.tables import own_models
 from rosward.records import NamedTuple
 from rosward.ros.distro import Distro

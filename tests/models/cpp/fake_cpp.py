@@ -12,8 +12,8 @@ from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.cpp import operators
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import method_types, name_of
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.types import method_types, name_of
 from rosward.models.native import NativeCall, perform
 from rosward.models.tables import cpp_natives
 

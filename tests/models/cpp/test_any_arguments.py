@@ -14,7 +14,9 @@ from rosward.domain.compound import External, TooManyPartsError, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.values import NONE, Const, Unknown, Value
-from rosward.models.cpp import conversions, copies, elements, operators
+from rosward.models.cpp import operators
+from rosward.models.cpp.iteration import elements
+from rosward.models.cpp.values import conversions, copies
 from rosward.models.native import NativeCall, perform
 
 OWN = sorted(name for name in NATIVES if name.startswith(("std.", "boost.", "absl.", "fmt.", "rcpputils.")))

@@ -12,9 +12,9 @@ from rosward.domain.compound import External, Partial
 from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.values import FALSE, NONE, TRUE, Const, Unknown, Value
 from rosward.models.cpp.constants import known_member, known_name
-from rosward.models.cpp.copies import write
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.traits import NO_TYPE
+from rosward.models.cpp.values.copies import write
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.traits import NO_TYPE
 
 DOUBLE = TypeOf("double", ())
 FIRST, SECOND = External("std.placeholders._1"), External("std.placeholders._2")

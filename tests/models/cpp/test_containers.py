@@ -9,9 +9,9 @@ from rosward.domain.choice import join, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.values import FALSE, NONE, TRUE, Const, Ref, Unknown, Value
-from rosward.models.cpp.copies import write
-from rosward.models.cpp.elements import elements, parts
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.iteration.elements import elements, parts
+from rosward.models.cpp.values.copies import write
+from rosward.models.cpp.values.slots import read
 
 TEXTS = TypeOf("std.vector", (STRING,))
 TABLE = TypeOf("std.map", (STRING, INT))

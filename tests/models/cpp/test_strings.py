@@ -10,7 +10,7 @@ from models.fake import REASON, text
 from rosward.domain.compound import External
 from rosward.domain.slots import TypeOf
 from rosward.domain.values import NONE, Const, Ref, Unknown, Value
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.slots import read
 
 NPOS = 2**64 - 1
 

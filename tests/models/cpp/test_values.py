@@ -12,9 +12,9 @@ from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.values import FALSE, NONE, TRUE, Const, Ref, Unknown, Value
-from rosward.models.cpp.conversions import convert, default_value
-from rosward.models.cpp.copies import assigned, copied, write
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.conversions import convert, default_value
+from rosward.models.cpp.values.copies import assigned, copied, write
+from rosward.models.cpp.values.slots import read
 
 DOUBLE = TypeOf("double", ())
 CHAR = TypeOf("char", ())

@@ -29,9 +29,9 @@ from rosward.domain.values import NONE, TRUE, UNBOUND, Const, Function, ModuleVa
 from rosward.effects.log import EffectLog
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget, LimitReachedError
-from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.python import modules
+from rosward.engine.running.frame import Frame
 from rosward.findings import Finding
 from rosward.frontends.registry import PYTHON
 from rosward.ir.ops import Op
@@ -40,7 +40,7 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from rosward.deployment.performer import Performer
     from rosward.deployment.tree import LaunchAction
-    from rosward.engine.library import Library
+    from rosward.engine.libraries.library import Library
     from rosward.ir.program import Code
 
 _CALLS: Final = 3

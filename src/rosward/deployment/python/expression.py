@@ -23,7 +23,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.text import is_path, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import UNBOUND, Const, Hole, ModuleValue, Text, Unknown, Value
-from rosward.engine.frame import Frame
+from rosward.engine.running.frame import Frame
 from rosward.frontends.front_end import FrontendError
 from rosward.frontends.registry import PYTHON
 

@@ -18,10 +18,10 @@ from rosward.engine.cpp.converting import as_value
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import pointee
-from rosward.engine.frame import Frame
+from rosward.engine.running.frame import Frame
 from rosward.models.cpp.memory import pointer_to
-from rosward.models.cpp.slots import plain_number, read
-from rosward.models.cpp.types import is_reference, name_of
+from rosward.models.cpp.values.slots import plain_number, read
+from rosward.models.cpp.values.types import is_reference, name_of
 from rosward.models.python.plain import text_of
 
 if TYPE_CHECKING:

@@ -22,15 +22,15 @@ from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, is_message, pointee
 from rosward.ir.arithmetic import UNSIGNED
-from rosward.models.cpp.conversions import convert as convert_plain
-from rosward.models.cpp.copies import copied
-from rosward.models.cpp.exceptions import may_raise, raises
-from rosward.models.cpp.owners import as_pointer
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.iteration.exceptions import may_raise, raises
+from rosward.models.cpp.values.conversions import convert as convert_plain
+from rosward.models.cpp.values.copies import copied
+from rosward.models.cpp.values.owners import as_pointer
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
-    from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
+    from rosward.engine.running.frame import Frame
 
 __all__ = ["as_one", "convert", "copy_of_result", "is_of_another"]
 

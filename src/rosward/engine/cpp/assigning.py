@@ -31,17 +31,17 @@ from rosward.engine.cpp.overloading import fitting
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import function_of
-from rosward.engine.frame import Frame
+from rosward.engine.running.frame import Frame
 from rosward.ir import cpp
 from rosward.ir.core import NO_REGISTER
-from rosward.models.cpp.boxes import become_box, is_box, may_be_another
-from rosward.models.cpp.characters import as_string, is_text
-from rosward.models.cpp.chrono import as_duration, is_time
-from rosward.models.cpp.conversions import convert
-from rosward.models.cpp.copies import ASSIGN, copied, write
-from rosward.models.cpp.ranges import emit, is_inserter
-from rosward.models.cpp.slots import plain_number, read
-from rosward.models.cpp.types import Shape, argument, name_of, shape_of
+from rosward.models.cpp.algorithms.ranges import emit, is_inserter
+from rosward.models.cpp.values.boxes import become_box, is_box, may_be_another
+from rosward.models.cpp.values.characters import as_string, is_text
+from rosward.models.cpp.values.chrono import as_duration, is_time
+from rosward.models.cpp.values.conversions import convert
+from rosward.models.cpp.values.copies import ASSIGN, copied, write
+from rosward.models.cpp.values.slots import plain_number, read
+from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 from rosward.models.ros.message_fields import definition_of
 
 if TYPE_CHECKING:

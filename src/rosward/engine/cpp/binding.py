@@ -25,12 +25,12 @@ from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.types import is_message, is_pointer_pattern, match, pointee, type_of
 from rosward.ir.symbols import ParameterSymbol, Signature, TypePattern
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.typed import Declared, typed
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.typed import Declared, typed
 
 if TYPE_CHECKING:
-    from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
+    from rosward.engine.running.frame import Frame
     from rosward.ir.program import Code
 
 __all__ = ["bind", "deduce", "instance"]

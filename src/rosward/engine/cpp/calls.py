@@ -17,9 +17,8 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, Unknown, Value
-from rosward.engine import declared
-from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import construct, guessing, members, names, unaware, visitors
 from rosward.engine.cpp.binding import bind
 from rosward.engine.cpp.categories import class_cast_to
@@ -32,12 +31,13 @@ from rosward.engine.cpp.specialising import specialised
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, type_of
 from rosward.engine.cpp.values import function_of, overloads, used
-from rosward.engine.escape import name_of
 from rosward.engine.python import calls as python_calls
+from rosward.engine.unknown import declared
+from rosward.engine.unknown.escape import name_of
 from rosward.ir.symbols import SymbolKind
-from rosward.models.cpp.boxes import is_box, unboxed
 from rosward.models.cpp.c_functions import C_FUNCTIONS
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.boxes import is_box, unboxed
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Final, Literal, TypeVar
 from rosward.domain.slots import Overloads, Slot
 from rosward.domain.values import Function, Ref, Value
 from rosward.engine.cpp.linked import Info, linked
-from rosward.engine.frame import Frame
+from rosward.engine.running.frame import Frame
 from rosward.ir.core import Binary, Compare
 from rosward.ir.cpp import Argued, Assign
 from rosward.ir.program import TypePattern
 from rosward.ir.symbols import Signature
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

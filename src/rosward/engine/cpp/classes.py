@@ -23,8 +23,8 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import flat
 from rosward.ir.program import MODEL_PREFIX
 from rosward.ir.symbols import Symbol, SymbolKind, TemplateParameter
-from rosward.models.cpp.copies import ASSIGN, COPY, REFERENCES
-from rosward.models.cpp.shared_storage import UNION
+from rosward.models.cpp.values.copies import ASSIGN, COPY, REFERENCES
+from rosward.models.cpp.values.shared_storage import UNION
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

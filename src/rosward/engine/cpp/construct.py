@@ -18,7 +18,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
-from rosward.engine.alternatives import each_apart
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import handing, visitors
 from rosward.engine.cpp.classes import copies, is_copied
 from rosward.engine.cpp.constructors import (
@@ -38,16 +38,16 @@ from rosward.engine.cpp.overloading import choose
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, is_message, pointee
 from rosward.engine.cpp.values import function_of, versions
-from rosward.engine.escape import name_of
+from rosward.engine.unknown.escape import name_of
 from rosward.ir.cpp import Form
 from rosward.ir.symbols import Symbol
-from rosward.models.cpp.conversions import convert as convert_plain
-from rosward.models.cpp.conversions import default_value
-from rosward.models.cpp.copies import copied
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.typed import MESSAGE, typed
-from rosward.models.cpp.types import Shape, shape_of
-from rosward.models.cpp.unions import take_member
+from rosward.models.cpp.values.conversions import convert as convert_plain
+from rosward.models.cpp.values.conversions import default_value
+from rosward.models.cpp.values.copies import copied
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.typed import MESSAGE, typed
+from rosward.models.cpp.values.types import Shape, shape_of
+from rosward.models.cpp.values.unions import take_member
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -11,7 +11,7 @@ from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.types import dotted, pointee
 from rosward.ir.arithmetic import INT, LONG
 from rosward.ir.symbols import Symbol, SymbolKind
-from rosward.models.cpp.number_conversions import OCTETS
+from rosward.models.cpp.values.number_conversions import OCTETS
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

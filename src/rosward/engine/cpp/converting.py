@@ -22,8 +22,8 @@ from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.types import dotted
 from rosward.engine.cpp.values import value_of
 from rosward.ir.cpp import Form
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import Shape, argument, name_of, shape_of
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

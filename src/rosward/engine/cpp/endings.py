@@ -15,7 +15,7 @@ from rosward.domain.values import UNBOUND, Class, Ref, Value
 from rosward.engine.cpp import calls, names
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.values import overloads
-from rosward.models.cpp.types import argument, name_of
+from rosward.models.cpp.values.types import argument, name_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

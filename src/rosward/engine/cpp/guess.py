@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from rosward.domain.memory import Heap
     from rosward.domain.state import Merge, State
     from rosward.domain.unknown import Reason
-    from rosward.engine.catcher import Catcher
+    from rosward.engine.running.catcher import Catcher
 
 __all__ = ["Arguments", "Call", "Guess"]
 

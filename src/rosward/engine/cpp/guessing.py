@@ -16,13 +16,13 @@ from rosward.domain.choice import join_all
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Function, Unknown, Value
-from rosward.engine.alternatives import each_apart
-from rosward.engine.catcher import Catcher
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp.guess import Arguments, Call, Guess
 from rosward.engine.cpp.linked import linked
-from rosward.engine.summaries import Summary
+from rosward.engine.running.catcher import Catcher
+from rosward.engine.running.summaries import Summary
 from rosward.engine.throwing import rethrow
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

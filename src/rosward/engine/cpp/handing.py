@@ -21,13 +21,13 @@ from rosward.domain.values import Choice, Class, Function, ModuleValue, Ref, Val
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.types import is_message
 from rosward.engine.cpp.values import function_of
-from rosward.engine.escape import BY_BASE, name_of
-from rosward.engine.havoc import change
 from rosward.engine.throwing import note_call
+from rosward.engine.unknown.escape import BY_BASE, name_of
+from rosward.engine.unknown.havoc import change
 from rosward.ir.symbols import Symbol, SymbolKind
-from rosward.models.cpp.copies import write
-from rosward.models.cpp.ranges import emit, is_inserter
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.algorithms.ranges import emit, is_inserter
+from rosward.models.cpp.values.copies import write
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

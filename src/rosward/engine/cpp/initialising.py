@@ -10,20 +10,20 @@ from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import TypeOf
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Value
-from rosward.engine.alternatives import each_apart
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import construct
 from rosward.engine.cpp.constructors import constructors
 from rosward.engine.cpp.converting import decaying
 from rosward.engine.cpp.handing import give_to
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.thunks import evaluate
-from rosward.engine.frame import Frame
+from rosward.engine.running.frame import Frame
 from rosward.ir import cpp
 from rosward.ir.symbols import Symbol
-from rosward.models.cpp.conversions import COMPOUND
-from rosward.models.cpp.copies import copied
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import shape_of
+from rosward.models.cpp.values.conversions import COMPOUND
+from rosward.models.cpp.values.copies import copied
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.types import shape_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

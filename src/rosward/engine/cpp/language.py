@@ -19,14 +19,14 @@ from rosward.engine.cpp.transfer import OWN
 from rosward.engine.python.language import PYTHON
 from rosward.engine.transfer import CORE
 from rosward.ir.program import CPP as NAME
-from rosward.models.cpp.copies import write
-from rosward.models.cpp.elements import elements
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.iteration.elements import elements
+from rosward.models.cpp.values.copies import write
+from rosward.models.cpp.values.slots import read
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
-    from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
+    from rosward.engine.running.frame import Frame
 
 __all__ = ["CPP"]
 

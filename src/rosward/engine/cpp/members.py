@@ -20,8 +20,8 @@ from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.types import is_message
 from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.ir.symbols import SymbolKind
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.unions import take_member
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.unions import take_member
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

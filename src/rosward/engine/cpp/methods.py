@@ -17,7 +17,7 @@ from rosward.domain.heap import KIND
 from rosward.domain.slots import Overloads, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
-from rosward.engine.alternatives import each_apart
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import access, assigning, assumed_nodes, calls, endings, members, names, operators
 from rosward.engine.cpp.categories import of_constness
 from rosward.engine.cpp.linked import linked
@@ -25,11 +25,11 @@ from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import overloads
 from rosward.engine.cpp.variants import of_variant
-from rosward.engine.frame import Frame
-from rosward.models.cpp.copies import copied, write
+from rosward.engine.running.frame import Frame
 from rosward.models.cpp.receivers import OF_PLACES
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import method_types, name_of
+from rosward.models.cpp.values.copies import copied, write
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.types import method_types, name_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -16,11 +16,11 @@ from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.names import Found
 from rosward.engine.cpp.static_types import of_found
 from rosward.engine.cpp.values import overloads, value_of, variable
-from rosward.engine.frame import Frame
+from rosward.engine.running.frame import Frame
 from rosward.ir import cpp, ops
 from rosward.ir.cpp_names import CALLED
 from rosward.ir.symbols import SymbolKind
-from rosward.models.cpp.traits import NO_TYPE
+from rosward.models.cpp.values.traits import NO_TYPE
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

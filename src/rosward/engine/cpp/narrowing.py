@@ -15,14 +15,14 @@ from rosward.domain.slots import Slot
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
-from rosward.engine.frame import Frame
+from rosward.engine.running.frame import Frame
 from rosward.engine.transfer import CORE
 from rosward.ir import cpp, ops
 from rosward.models.cpp import operators as plain
-from rosward.models.cpp.conversions import is_empty_optional
-from rosward.models.cpp.copies import write
-from rosward.models.cpp.slots import stored
-from rosward.models.cpp.types import Shape, shape_of
+from rosward.models.cpp.values.conversions import is_empty_optional
+from rosward.models.cpp.values.copies import write
+from rosward.models.cpp.values.slots import stored
+from rosward.models.cpp.values.types import Shape, shape_of
 from rosward.models.python.operators.operators import is_default
 
 if TYPE_CHECKING:

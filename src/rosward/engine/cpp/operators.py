@@ -23,9 +23,9 @@ from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
-from rosward.models.cpp.boxes import unboxed
-from rosward.models.cpp.conversions import convert
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.boxes import unboxed
+from rosward.models.cpp.values.conversions import convert
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -25,10 +25,10 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import CHARACTERS, STRING, dotted, is_pointer_pattern, pointee, type_of
 from rosward.ir.arithmetic import INT, LONG, SMALL, same_type
 from rosward.ir.symbols import ParameterSymbol, Signature
-from rosward.models.cpp.number_conversions import OCTETS
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.traits import NO_TYPE
-from rosward.models.cpp.types import NOT_OF_ONE, argument
+from rosward.models.cpp.values.number_conversions import OCTETS
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.traits import NO_TYPE
+from rosward.models.cpp.values.types import NOT_OF_ONE, argument
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -13,7 +13,7 @@ from rosward.engine.cpp.linked import Linked, linked
 from rosward.engine.cpp.names import Found, Part
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.values import function_of, value_of, variable
-from rosward.engine.frame import Frame
+from rosward.engine.running.frame import Frame
 from rosward.ir.cpp import Invoke, InvokeMember
 from rosward.ir.op import walk
 from rosward.ir.program import CPP, MODEL_PREFIX, Code, CodeKind, Parameters

@@ -18,7 +18,7 @@ from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import flat, match
 from rosward.ir.symbols import Symbol, SymbolKind
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -18,7 +18,7 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import POINTERS, pointee, pointer_to
 from rosward.ir.cpp_names import ARROW, CALLED, DOT, ELEMENT, LED, NUMBERED, UNDER
 from rosward.ir.symbols import SymbolKind
-from rosward.models.cpp.types import argument, name_of
+from rosward.models.cpp.values.types import argument, name_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

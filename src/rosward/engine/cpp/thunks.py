@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Function, ModuleValue, Value
-from rosward.engine import activation
+from rosward.engine.calls import activation
 from rosward.engine.cpp.linked import linked
 
 if TYPE_CHECKING:

@@ -33,16 +33,16 @@ from rosward.engine.cpp.classes import instance_of
 from rosward.engine.cpp.converting import as_value, decaying
 from rosward.engine.cpp.packs import items_of
 from rosward.engine.cpp.types import plain_type, pointee, pointer_to, type_of
-from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
 from rosward.engine.python import exceptions as python_exceptions
 from rosward.engine.python.transfer import OWN as PYTHON_OWN
+from rosward.engine.running.frame import Frame
 from rosward.engine.throwing import throw
 from rosward.ir import cpp, ops
 from rosward.ir.symbols import SymbolKind
-from rosward.models.cpp.copies import copied
-from rosward.models.cpp.elements import elements, parts
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.iteration.elements import elements, parts
+from rosward.models.cpp.values.copies import copied
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -18,9 +18,9 @@ from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Va
 from rosward.engine.cpp.linked import linked
 from rosward.ir.arithmetic import LONG, same_type
 from rosward.ir.symbols import TypePattern
-from rosward.models.cpp.characters import is_text
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import argument, name_of
+from rosward.models.cpp.values.characters import is_text
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.types import argument, name_of
 from rosward.models.ros.interfaces import message_name
 
 if TYPE_CHECKING:

@@ -18,20 +18,20 @@ from rosward.domain.compound import BoundMethod, External, Partial, Tuple, funct
 from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import TRUE, UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
-from rosward.engine import activation
+from rosward.engine.calls import activation
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import is_constant, may_be_written
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.opaque import opaque
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import pointee
-from rosward.engine.escape import BY_LIBRARY
-from rosward.engine.havoc import change_each
-from rosward.engine.held import values_in
 from rosward.engine.throwing import note_sources
+from rosward.engine.unknown.escape import BY_LIBRARY
+from rosward.engine.unknown.havoc import change_each
+from rosward.engine.unknown.held import values_in
 from rosward.ir.program import MODEL_PREFIX
-from rosward.models.cpp.copies import LEFT, write
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.copies import LEFT, write
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

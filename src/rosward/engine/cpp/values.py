@@ -20,7 +20,7 @@ from rosward.engine.cpp.specialising import meant_for
 from rosward.engine.cpp.thunks import evaluate
 from rosward.ir.program import CPP, Code, CodeKind, Parameters
 from rosward.ir.symbols import Signature, Symbol, SymbolKind
-from rosward.models.cpp.conversions import default_value
+from rosward.models.cpp.values.conversions import default_value
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

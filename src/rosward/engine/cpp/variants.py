@@ -11,9 +11,9 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, UNBOUND, Ref, Value
 from rosward.engine.cpp import as_type, assigning, construct, names
 from rosward.engine.cpp.linked import linked
-from rosward.models.cpp.boxes import unboxed
-from rosward.models.cpp.compounds import alternative
-from rosward.models.cpp.types import method_types
+from rosward.models.cpp.containers.compounds import alternative
+from rosward.models.cpp.values.boxes import unboxed
+from rosward.models.cpp.values.types import method_types
 from rosward.models.python.plain import int_of
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from rosward.domain.compound import BoundMethod, External, Partial, Tuple, funct
 from rosward.domain.values import Function, Value
 from rosward.engine.cpp.linked import Info
 from rosward.engine.cpp.overloading import choose
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

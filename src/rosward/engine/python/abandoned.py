@@ -16,7 +16,7 @@ from rosward.domain.memory import Heap
 from rosward.domain.state import join_states
 from rosward.domain.suspended import Suspension
 from rosward.domain.values import Ref, Value
-from rosward.engine.frame import Snapshot
+from rosward.engine.running.frame import Snapshot
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -13,14 +13,14 @@ from rosward.domain.compound import Descriptor, External, Native
 from rosward.domain.heap import KIND, Obj
 from rosward.domain.table import marked
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
-from rosward.engine.alternatives import each_apart
-from rosward.engine.escape import name_of
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import members
 from rosward.engine.python.attributes import setter_of
 from rosward.engine.python.class_changes import change_class
 from rosward.engine.python.functions import record_of
 from rosward.engine.python.namespaces import slots_of
 from rosward.engine.python.removal import HOOKS, remove
+from rosward.engine.unknown.escape import name_of
 from rosward.models.failures import fail
 from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE

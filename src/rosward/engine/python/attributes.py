@@ -16,7 +16,7 @@ from rosward.domain.compound import BoundMethod, Descriptor, External, Native, P
 from rosward.domain.heap import KIND
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
-from rosward.engine.alternatives import each_apart
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
 from rosward.engine.python.functions import kept_table, of_function, of_partial

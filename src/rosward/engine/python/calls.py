@@ -16,15 +16,16 @@ from rosward.domain.series import Series, concatenated
 from rosward.domain.suspended import Suspension
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
-from rosward.engine import activation, declared, outside
-from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
-from rosward.engine.catcher import LIBRARY
-from rosward.engine.escape import escape, name_of
+from rosward.engine.calls import activation
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import assignment, attributes, classes, hidden_fields, members, native_calls, object_methods
 from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
+from rosward.engine.running.catcher import LIBRARY
 from rosward.engine.throwing import note, note_call
+from rosward.engine.unknown import declared, outside
+from rosward.engine.unknown.escape import escape, name_of
 from rosward.ir.ops import Argument
 from rosward.models.python.containers.dicts import is_mapping
 from rosward.models.python.contents import bare
@@ -32,8 +33,8 @@ from rosward.models.python.exceptions import is_exception
 from rosward.models.python.operators.equal_objects import member_value
 
 if TYPE_CHECKING:
-    from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
+    from rosward.engine.running.frame import Frame
 
 Arguments = tuple[Value, ...]
 Keywords = dict[str, Value]

@@ -13,8 +13,8 @@ from rosward.domain.compound import Descriptor
 from rosward.domain.heap import CLASSES
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Ref, Value
-from rosward.engine.escape import BY_PYTHON
 from rosward.engine.python import members
+from rosward.engine.unknown.escape import BY_PYTHON
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

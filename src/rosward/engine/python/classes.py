@@ -11,11 +11,11 @@ from rosward.domain.compound import BoundMethod, Descriptor, External, Native, T
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
-from rosward.engine.alternatives import each_apart
-from rosward.engine.escape import BY_BASE, BY_WINDOW, name_of
-from rosward.engine.frame import Frame
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import abstract, attributes, contents, hidden_fields, members, metaclasses, subclass_hooks
 from rosward.engine.python.own_methods import own_methods
+from rosward.engine.running.frame import Frame
+from rosward.engine.unknown.escape import BY_BASE, BY_WINDOW, name_of
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
 from rosward.models.python.exceptions import builtin_base, own_class

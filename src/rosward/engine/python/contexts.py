@@ -15,10 +15,10 @@ from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Unknown, Value
-from rosward.engine.catcher import Catcher
-from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.python.exceptions import APART, Rest, leave_unseen
 from rosward.engine.python.raised import class_of
+from rosward.engine.running.catcher import Catcher
+from rosward.engine.running.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.throwing import throw, unseen
 from rosward.ir import ops
 from rosward.models.python.plain import FILE_HINT

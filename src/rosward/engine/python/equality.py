@@ -24,7 +24,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine.alternatives import each_apart
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import attributes, members, specials
 from rosward.engine.python.specials import one_has, special
 from rosward.models.python.contents import bare, contents

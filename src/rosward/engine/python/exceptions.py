@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join, join_all
 from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.values import UNBOUND, Class, Unknown, Value
-from rosward.engine.catcher import ANYTHING, LIBRARY, Catcher, join_snapshots
-from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.python.groups import handle_groups
 from rosward.engine.python.raised import chain, made, may_catch
+from rosward.engine.running.catcher import ANYTHING, LIBRARY, Catcher, join_snapshots
+from rosward.engine.running.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.throwing import note, throw, unseen
 from rosward.ir import ops
 from rosward.records import NamedTuple

@@ -18,15 +18,15 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.compound import BoundMethod, External, Native, Partial, TooManyPartsError, Tuple
 from rosward.domain.heap import KIND
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Value
-from rosward.engine.catcher import LIBRARY, OPERATION
 from rosward.engine.python import members
+from rosward.engine.running.catcher import LIBRARY, OPERATION
 from rosward.engine.throwing import note
 from rosward.ir import ops
 from rosward.models.python.exceptions import member_of
 
 if TYPE_CHECKING:
-    from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
+    from rosward.engine.running.frame import Frame
 
 NEVER: Final = frozenset(
     {

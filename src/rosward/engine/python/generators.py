@@ -18,16 +18,17 @@ from rosward.domain.state import Merge, State, join_states
 from rosward.domain.suspended import Point, Suspension, add_points
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
-from rosward.engine import activation, bodies, declared
 from rosward.engine.budget import LimitReachedError
-from rosward.engine.catcher import Catcher
-from rosward.engine.frame import Frame, Yielded
+from rosward.engine.calls import activation, bodies
 from rosward.engine.python import resume, stepping
 from rosward.engine.python.exceptions import thrown_in
 from rosward.engine.python.raised import may_catch
 from rosward.engine.python.recalled_steps import recalling
-from rosward.engine.stepped import NEXT, Resumption, Running, Stepped
+from rosward.engine.running.catcher import Catcher
+from rosward.engine.running.frame import Frame, Yielded
+from rosward.engine.running.stepped import NEXT, Resumption, Running, Stepped
 from rosward.engine.throwing import rethrow
+from rosward.engine.unknown import declared
 from rosward.models.native import Items
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.compound import Native, Tuple
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Ref, Value
-from rosward.engine.catcher import Catcher
-from rosward.engine.frame import Frame, Snapshot, join_into
+from rosward.engine.running.catcher import Catcher
+from rosward.engine.running.frame import Frame, Snapshot, join_into
 from rosward.engine.throwing import throw
 from rosward.ir import ops
 from rosward.models.python.exception_groups import Parts, made, split, wrapped

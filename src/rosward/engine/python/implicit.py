@@ -20,9 +20,9 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.compound import BoundMethod, Descriptor
 from rosward.domain.heap import CLASSES
 from rosward.domain.values import Class, Function, Ref, Value
-from rosward.engine.declared import is_model
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.python.own_methods import AT_MAKING
+from rosward.engine.unknown.declared import is_model
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

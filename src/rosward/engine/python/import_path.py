@@ -17,7 +17,7 @@ from rosward.domain.choice import options
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, Hole, ModuleValue, Ref, Text, Unknown, Value
-from rosward.engine.found import FoundModule
+from rosward.engine.sources.found import FoundModule
 from rosward.models.file_paths import location_of
 from rosward.models.python.containers import dicts
 from rosward.records import NamedTuple

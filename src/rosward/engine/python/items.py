@@ -11,10 +11,10 @@ from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Value
-from rosward.engine.alternatives import each_apart
-from rosward.engine.frame import Frame
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import attributes, calls, classes, matching, members, metaclasses
 from rosward.engine.python.specials import one_has
+from rosward.engine.running.frame import Frame
 from rosward.ir import ops
 from rosward.models.native import Items
 from rosward.models.python.containers.lists import new_tuple

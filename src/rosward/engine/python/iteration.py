@@ -19,10 +19,10 @@ from rosward.domain.state import element, join_states
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, Unknown, Value
-from rosward.engine.alternatives import each_apart
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.control import behind, roughly, turn, until_stable
-from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.python import abandoned, attributes, calls, classes, contents, metaclasses, stepping
+from rosward.engine.running.frame import Frame, Snapshot
 from rosward.ir import ops
 from rosward.models.native import Items
 from rosward.models.python.containers.lists import ITERATOR, VIEW, write_series

@@ -29,7 +29,7 @@ from rosward.engine.python import (
     stepping,
 )
 from rosward.engine.python.transfer import OWN
-from rosward.engine.stepped import Resumption
+from rosward.engine.running.stepped import Resumption
 from rosward.engine.transfer import CORE
 from rosward.ir.program import PYTHON as NAME
 

@@ -14,11 +14,11 @@ from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, ModuleValue, Ref, Unknown, Value
-from rosward.engine.alternatives import each_apart
-from rosward.engine.found import FoundModule
-from rosward.engine.frame import Frame
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import import_path
 from rosward.engine.python.relative_imports import Relative, main_package, relative
+from rosward.engine.running.frame import Frame
+from rosward.engine.sources.found import FoundModule
 from rosward.engine.throwing import note_import
 from rosward.ir import ops
 from rosward.models.failures import fail

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.values import UNBOUND, Class, Const, Ref, Value
-from rosward.engine.frame import Frame, own_frame
+from rosward.engine.running.frame import Frame, own_frame
 from rosward.ir.program import CodeKind
 from rosward.models.native import Items
 

@@ -14,8 +14,8 @@ from rosward.domain.choice import join, options
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Ref, Value
-from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import contents
 from rosward.engine.python.specials import one_has
 from rosward.models.native import Arguments, NativeCall, NativeFunction, perform

@@ -15,9 +15,9 @@ from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Ref, Value
-from rosward.engine.escape import escape
 from rosward.engine.python import assignment, attributes, classes, removal
 from rosward.engine.python.specials import NOT_IMPLEMENTED
+from rosward.engine.unknown.escape import escape
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.compound import BoundMethod, Descriptor, Partial
 from rosward.domain.heap import Obj
 from rosward.domain.values import Class, Function, Ref, Value
-from rosward.engine.wrapped import calls_program
+from rosward.engine.unknown.wrapped import calls_program
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -18,9 +18,9 @@ from rosward.domain.heap import Obj
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Unknown, Value
-from rosward.engine.catcher import LIBRARY, OPERATION, Catcher
 from rosward.engine.python.classes import exception_object
 from rosward.engine.python.instances import is_subclass, type_of
+from rosward.engine.running.catcher import LIBRARY, OPERATION, Catcher
 from rosward.engine.throwing import note, rethrow, throw
 from rosward.models.python.exceptions import builtin_base
 

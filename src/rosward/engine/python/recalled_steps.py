@@ -12,14 +12,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rosward.domain.values import UNBOUND
-from rosward.engine import recalled
-from rosward.engine.stepped import Resumption, Stepped
+from rosward.engine.calls import recalled
+from rosward.engine.running.stepped import Resumption, Stepped
 
 if TYPE_CHECKING:
     from rosward.domain.suspended import Suspension
     from rosward.domain.values import Ref
     from rosward.engine.machine import Engine
-    from rosward.engine.summaries import Call
+    from rosward.engine.running.summaries import Call
 
 
 def recalling(

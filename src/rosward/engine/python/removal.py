@@ -9,7 +9,7 @@ from rosward.domain.choice import options
 from rosward.domain.compound import Descriptor, Native, Partial
 from rosward.domain.table import marked
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
-from rosward.engine.alternatives import each_apart
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import members
 from rosward.models.python.attribute_tables import remove_from_table
 

@@ -16,12 +16,12 @@ from rosward.domain.suspended import ANY_TURN, EACH, KEPT, Path
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine import control
-from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.python import contexts, exceptions, iteration, stepping, suspending
 from rosward.engine.python.equality import truth
 from rosward.engine.python.iteration import Begun
-from rosward.engine.stepped import Resumption
-from rosward.engine.ways import parts
+from rosward.engine.running.frame import Frame, Snapshot, join_into
+from rosward.engine.running.stepped import Resumption
+from rosward.engine.running.ways import parts
 from rosward.ir import ops
 from rosward.models.native import Items
 

@@ -14,10 +14,10 @@ from rosward.domain.compound import Native
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Ref, Unknown, Value
-from rosward.engine.catcher import Catcher
 from rosward.engine.python import attributes, calls, contents
 from rosward.engine.python.raised import may_catch
-from rosward.engine.stepped import NEXT, Resumption, Stepped
+from rosward.engine.running.catcher import Catcher
+from rosward.engine.running.stepped import NEXT, Resumption, Stepped
 from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 

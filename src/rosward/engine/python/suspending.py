@@ -14,10 +14,10 @@ from rosward.domain.compound import Tuple
 from rosward.domain.state import join_states
 from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, Path, PathStep, Point, any_turn, join_values
 from rosward.domain.values import NONE, UNBOUND, Value
-from rosward.engine.frame import Frame
 from rosward.engine.python import stepping
-from rosward.engine.stepped import NEXT, Resumption
-from rosward.engine.ways import Way, find_ways
+from rosward.engine.running.frame import Frame
+from rosward.engine.running.stepped import NEXT, Resumption
+from rosward.engine.running.ways import Way, find_ways
 from rosward.ir import ops
 from rosward.models.native import Items
 

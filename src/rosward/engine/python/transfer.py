@@ -13,8 +13,8 @@ from rosward.domain.choice import join, options
 from rosward.domain.compound import Slice
 from rosward.domain.heap import Obj
 from rosward.domain.values import NONE, UNBOUND, Const, Value
-from rosward.engine.alternatives import each_apart
-from rosward.engine.frame import Frame
+from rosward.engine.calls.alternatives import each_apart
+from rosward.engine.calls.recalled_loops import recalling
 from rosward.engine.machine import Handler
 from rosward.engine.python import (
     calls,
@@ -28,7 +28,7 @@ from rosward.engine.python import (
     suspending,
 )
 from rosward.engine.python.specials import one_has
-from rosward.engine.recalled_loops import recalling
+from rosward.engine.running.frame import Frame
 from rosward.ir import ops
 from rosward.models.python.strings.formatting import joined
 from rosward.models.python.strings.methods import format_value

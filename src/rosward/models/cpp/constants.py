@@ -18,10 +18,10 @@ from rosward.domain.heap import Obj
 from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class, Const, Ref, Value
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.string_parts import NPOS
-from rosward.models.cpp.traits import TRAITS
-from rosward.models.cpp.types import Shape, argument, name_of, shape_of
+from rosward.models.cpp.strings.string_parts import NPOS
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.traits import TRAITS
+from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 from rosward.models.native import NativeCall, NativeFunction
 
 __all__ = ["NATIVES", "known_member", "known_name"]

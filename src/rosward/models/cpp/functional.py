@@ -15,9 +15,9 @@ from typing import Final
 from rosward.domain.compound import External, Native, Partial, Tuple
 from rosward.domain.slots import Pointer
 from rosward.domain.values import FALSE, NONE, TRUE, Ref, Value
-from rosward.models.cpp.copies import copied, write
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import REFERENCE, is_reference
+from rosward.models.cpp.values.copies import copied, write
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.types import REFERENCE, is_reference
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import unknown_from
 

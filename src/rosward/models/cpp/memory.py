@@ -19,15 +19,15 @@ from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.slots import Overloads, Owner, Pointer, Slot, TypeOf
 from rosward.domain.values import EMPTY, NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
+from rosward.models.cpp.algorithms.ranges import place, places
 from rosward.models.cpp.arity import with_least
-from rosward.models.cpp.characters import as_kept
-from rosward.models.cpp.conversions import convert, default_value, new_container
-from rosward.models.cpp.copies import copied, several, write
-from rosward.models.cpp.iterators import as_iterator
-from rosward.models.cpp.owners import give_away, owning
-from rosward.models.cpp.ranges import place, places
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.types import Shape, argument, name_of, shape_of
+from rosward.models.cpp.iteration.iterators import as_iterator
+from rosward.models.cpp.values.characters import as_kept
+from rosward.models.cpp.values.conversions import convert, default_value, new_container
+from rosward.models.cpp.values.copies import copied, several, write
+from rosward.models.cpp.values.owners import give_away, owning
+from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import int_of, unknown_from
 

@@ -20,12 +20,12 @@ from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
-from rosward.models.cpp.characters import text_behind
-from rosward.models.cpp.conversions import convert
-from rosward.models.cpp.copies import copied, write
-from rosward.models.cpp.elements import series_of
-from rosward.models.cpp.exceptions import may_raise, raises
-from rosward.models.cpp.slots import new_pair, read
+from rosward.models.cpp.iteration.elements import series_of
+from rosward.models.cpp.iteration.exceptions import may_raise, raises
+from rosward.models.cpp.values.characters import text_behind
+from rosward.models.cpp.values.conversions import convert
+from rosward.models.cpp.values.copies import copied, write
+from rosward.models.cpp.values.slots import new_pair, read
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.operators.operators import is_default
 from rosward.models.python.plain import from_python, int_of, origins, spread, text_of, unknown_from, with_origins

@@ -21,14 +21,15 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.slots import Overloads, Pointer, Slot, is_char_text
 from rosward.domain.text import concat
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Function, Ref, Text, Unknown, Value
-from rosward.models.cpp import chrono, streams
-from rosward.models.cpp.characters import beside_text, is_text, number_of
-from rosward.models.cpp.conversions import NULLOPT, is_empty_optional
-from rosward.models.cpp.iterators import as_iterator, distance, in_pairs, iterator, moved, same_place
-from rosward.models.cpp.paths import slash
-from rosward.models.cpp.slots import key_of, read
-from rosward.models.cpp.stream_input import extract
-from rosward.models.cpp.types import Shape, name_of, shape_of
+from rosward.models.cpp.iteration.iterators import as_iterator, distance, in_pairs, iterator, moved, same_place
+from rosward.models.cpp.strings import streams
+from rosward.models.cpp.strings.paths import slash
+from rosward.models.cpp.strings.stream_input import extract
+from rosward.models.cpp.values import chrono
+from rosward.models.cpp.values.characters import beside_text, is_text, number_of
+from rosward.models.cpp.values.conversions import NULLOPT, is_empty_optional
+from rosward.models.cpp.values.slots import key_of, read
+from rosward.models.cpp.values.types import Shape, name_of, shape_of
 from rosward.models.native import Machine
 from rosward.models.python.operators import operators as python
 from rosward.models.python.operators.compare import kind_of

@@ -8,7 +8,7 @@ from typing import Final
 from rosward.domain.compound import External
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Value
-from rosward.models.cpp.types import argument, hint_of, name_of
+from rosward.models.cpp.values.types import argument, hint_of, name_of
 from rosward.models.native import NativeCall, NativeFunction
 
 __all__ = ["NATIVES"]

@@ -10,7 +10,10 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.models.cpp import functional, iterators, memory, string_queries, strings, threads
+from rosward.models.cpp import functional, memory
+from rosward.models.cpp.concurrency import threads
+from rosward.models.cpp.iteration import iterators
+from rosward.models.cpp.strings import string_changes, string_queries
 
 __all__ = ["OF_PLACES"]
 
@@ -19,7 +22,7 @@ OF_PLACES: Final = (
     | iterators.OF_PLACES
     | memory.OF_PLACES
     | string_queries.OF_PLACES
-    | strings.OF_PLACES
+    | string_changes.OF_PLACES
     | threads.OF_PLACES
 )
 """Their full names, as natives have them: what they are called on is a value in a slot, not an object."""

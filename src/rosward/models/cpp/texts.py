@@ -17,14 +17,14 @@ from rosward.domain.series import Series
 from rosward.domain.slots import TypeOf
 from rosward.domain.text import concat
 from rosward.domain.values import EMPTY, NONE, Const, Ref, Value
+from rosward.models.cpp.algorithms.ranges import emit
 from rosward.models.cpp.arity import with_least
-from rosward.models.cpp.conversions import convert, new_container
-from rosward.models.cpp.copies import write
-from rosward.models.cpp.elements import series_of
-from rosward.models.cpp.formatting import Flags, shown
-from rosward.models.cpp.ranges import emit
-from rosward.models.cpp.slots import read
-from rosward.models.cpp.string_parts import as_python
+from rosward.models.cpp.iteration.elements import series_of
+from rosward.models.cpp.strings.formatting import Flags, shown
+from rosward.models.cpp.strings.string_parts import as_python
+from rosward.models.cpp.values.conversions import convert, new_container
+from rosward.models.cpp.values.copies import write
+from rosward.models.cpp.values.slots import read
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.lists import write_series
 from rosward.models.python.operators import operators as python

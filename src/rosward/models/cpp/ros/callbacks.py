@@ -16,10 +16,10 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial
 from rosward.domain.slots import Pointer
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Function, Ref, Value
-from rosward.models.cpp.callables import leading, mentions, parameters, plain_callable
 from rosward.models.cpp.ros.handed import given, node_of, target_of
 from rosward.models.cpp.ros.messages import record_sent
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.callables import leading, mentions, parameters, plain_callable
+from rosward.models.cpp.values.slots import read
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.ros.messages import message_of
 

@@ -13,8 +13,8 @@ from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Unknown, Value
-from rosward.models.cpp.characters import text_behind
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.characters import text_behind
+from rosward.models.cpp.values.slots import read
 from rosward.models.native import NativeCall
 
 __all__ = ["NODE", "NOTHING", "given", "node_of", "target_of", "types_of", "unknown_type"]

@@ -18,9 +18,9 @@ from rosward.domain.slots import Pointer, Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Ref, Value
 from rosward.effects.sent import Sending, SentEffect
-from rosward.models.cpp.copies import write
 from rosward.models.cpp.ros.handed import given, node_of, target_of, types_of, unknown_type
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.copies import write
+from rosward.models.cpp.values.slots import read
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.ros.messages import message_of
 from rosward.source.definitions import PARTS

@@ -16,9 +16,9 @@ from rosward.domain.slots import Pointer
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
-from rosward.models.cpp.callables import function_behind
 from rosward.models.cpp.ros.handed import NODE, given, node_of, target_of
-from rosward.models.cpp.slots import read, read_field
+from rosward.models.cpp.values.callables import function_behind
+from rosward.models.cpp.values.slots import read, read_field
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.ros import entities, names
 from rosward.models.ros.parameter_table import raise_

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Final
 
 from rosward.domain.values import Value
-from rosward.models.cpp.types import Shape, argument, name_of, shape_of
+from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 
 __all__ = ["BY_NUMBER", "hint_of_word", "word_of_type"]
 

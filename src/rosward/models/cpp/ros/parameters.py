@@ -16,11 +16,11 @@ from rosward.domain.compound import External, Tuple
 from rosward.domain.text import origins_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
-from rosward.models.cpp.conversions import convert, new_map
-from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.ros.handed import NOTHING, given, node_of, types_of
 from rosward.models.cpp.ros.parameter_types import BY_NUMBER, hint_of_word, word_of_type
-from rosward.models.cpp.slots import read, read_field
+from rosward.models.cpp.values.conversions import convert, new_map
+from rosward.models.cpp.values.copies import copied, write
+from rosward.models.cpp.values.slots import read, read_field
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.containers import dicts
 from rosward.models.ros import parameter_table as table

@@ -16,9 +16,9 @@ from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import readable
 from rosward.domain.unknown import OTHERS, Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Unknown, Value
-from rosward.models.cpp.elements import series_of
+from rosward.models.cpp.iteration.elements import series_of
 from rosward.models.cpp.ros.handed import NOTHING, given, target_of
-from rosward.models.cpp.slots import read
+from rosward.models.cpp.values.slots import read
 from rosward.models.launch import natives as launch
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.ros import effects
