@@ -21,7 +21,7 @@ import rosward
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
 from rosward.network.graph import Network
-from rosward.outputs.report.background import Background
+from rosward.outputs.background import Background
 from rosward.outputs.report.document import report_document
 from rosward.outputs.report.page import document_text, report_html
 

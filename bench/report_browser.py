@@ -24,7 +24,7 @@ from playwright.sync_api import Browser, sync_playwright
 
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.report.background import Background
+from rosward.outputs.background import Background
 from rosward.outputs.report.page import report_html
 
 ROOT: Final = Path(__file__).parents[1]

@@ -18,7 +18,8 @@ from typing import Final, NamedTuple
 ROOT: Final = Path(__file__).parent.parent / "src" / "rosward"
 LONGEST: Final = 400
 
-_TEXT = frozenset({"source", "findings", "rules", "one_cause", "guard", "holes", "records", "safe"})
+_FINDINGS = frozenset({"findings", "rules", "location", "records"})
+_TEXT = frozenset({"source", "one_cause", "guard", "holes", "safe"}) | _FINDINGS
 _DOMAIN = frozenset({"domain", "ir"}) | _TEXT
 _NAMING = frozenset({"naming", "effects", "ros"}) | _DOMAIN
 _ENGINE = frozenset({"engine", "models", "frontends", "ir", "deadline"}) | _NAMING
@@ -33,12 +34,13 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "records": frozenset(),
     "deadline": frozenset(),
     "source": _TEXT | {"_version"},
-    "findings": _TEXT,
+    "location": frozenset({"records"}),
+    "findings": _FINDINGS,
     "rule": frozenset({"records"}),
     "rules": frozenset({"rule", "rules_of_systems"}),
     "rules_of_systems": frozenset({"rule"}),
-    "one_cause": _TEXT,
-    "guard": _TEXT,
+    "one_cause": _FINDINGS,
+    "guard": _FINDINGS,
     "ir": frozenset({"ir"}) | _TEXT,
     "frontends": frozenset({"frontends", "ir"}) | _TEXT,
     "domain": _DOMAIN,
@@ -269,6 +271,24 @@ def test_modules_do_not_import_each_other() -> None:
     for use in uses():
         graph.setdefault(dotted_name(use.file), set()).add(use.target)
     cycles = [" -> ".join(cycle) for cycle in (_cycle(graph, module) for module in sorted(graph)) if cycle]
+    assert not cycles, _told(cycles)
+
+
+def test_folders_do_not_import_each_other() -> None:
+    """What stands in one folder, modules and folders alike, has an order: no folder imports what imports something of it."""
+    rooms: dict[str, dict[str, set[str]]] = {}
+    for use in uses():
+        here, there = dotted_name(use.file).split("."), use.target.split(".")
+        common = next((n for n, (a, b) in enumerate(zip(here, there, strict=False)) if a != b), 0)
+        if common:
+            inside = rooms.setdefault(".".join(here[:common]), {})
+            inside.setdefault(here[common], set()).add(there[common])
+    cycles = [
+        f"{room}: {' -> '.join(cycle)}"
+        for room, graph in sorted(rooms.items())
+        for cycle in (_cycle(graph, start) for start in sorted(graph))
+        if cycle
+    ]
     assert not cycles, _told(cycles)
 
 

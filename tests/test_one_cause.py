@@ -8,9 +8,9 @@ import random
 import pytest
 
 from rosward.findings import Finding, doubtful, each_once
+from rosward.location import Place
 from rosward.one_cause import OneCause, by_cause, more_of
 from rosward.rules import RULES, Severity
-from rosward.source.location import Place
 
 ARGUMENT = ("launch argument without a value: ns",)
 

@@ -8,7 +8,7 @@ import time
 import pytest
 
 from rosward.findings import Finding
-from rosward.source.location import Place
+from rosward.location import Place
 from rosward.suppression.comments import ignore_comments
 from rosward.suppression.fingerprints import fingerprints
 

@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
     from rosward.engine.budget import Budget
     from rosward.findings import Finding
+    from rosward.location import Place
     from rosward.network.graph import Action, Network, Service, Topic
     from rosward.one_cause import OneCause, by_cause
     from rosward.pipeline import NothingToReadError, RequestError, Result, UnknownRequestError, extract
     from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
     from rosward.rules import Rule, Severity
-    from rosward.source.location import Place
     from rosward.surveying.executing import LostExecutorError
     from rosward.surveying.run import Survey, SurveyError, survey
 
@@ -71,7 +71,7 @@ _WHERE: Final = {
     "NothingToReadError": "rosward.pipeline",
     "OneCause": "rosward.one_cause",
     "Parameter": "rosward.ros.entities",
-    "Place": "rosward.source.location",
+    "Place": "rosward.location",
     "Qos": "rosward.ros.entities",
     "RequestError": "rosward.pipeline",
     "Resolution": "rosward.ros.entities",

@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final, final
 
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.rules import RULES, Rule
-from rosward.source.location import Place
 
 
 class Finding(NamedTuple):

@@ -18,8 +18,8 @@ from types import TracebackType
 from typing import Final, TypeVar, final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.rules import INTERNAL_ERROR
-from rosward.source.location import Place
 
 __all__ = ["Steps", "guarded", "internal_error", "where"]
 

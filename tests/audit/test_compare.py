@@ -16,9 +16,9 @@ from rosward.audit.compare import audit
 from rosward.audit.result import Audit, Unseen
 from rosward.audit.tools import tool_of
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.ros.entities import EntityKind, Node, Qos, Resolution
 from rosward.source.json_fields import UnreadableError
-from rosward.source.location import Place
 
 from .graphs import running, seen, told
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 import pytest
 
 from rosward.deployment.request import LaunchRequest, Request
-from rosward.outputs.report.background import Background
+from rosward.outputs.background import Background
 from rosward.pipeline import extract
 
 from .reports import chosen, click, drawn, fragment, opened, renewed, settle, shapes, title, written

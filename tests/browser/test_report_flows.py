@@ -12,9 +12,9 @@ from outputs.flowing import flowing, robot, sink
 from outputs.networks import node, pub, sub
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect
-from rosward.outputs.report.background import Background
-from rosward.source.location import Place
+from rosward.outputs.background import Background
 
 from .reports import click, drawn, opened, renewed, settle, shapes, title, written
 

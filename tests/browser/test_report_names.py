@@ -10,9 +10,9 @@ import pytest
 from outputs.networks import entity, node, pub, sub, talker_and_listener
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.ros.entities import EntityKind, Parameter
-from rosward.source.location import Place
 
 from .reports import click, opened, settle, shapes, title, written
 

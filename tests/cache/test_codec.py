@@ -13,13 +13,13 @@ from hypothesis import strategies as st
 from rosward.cache import codec, records
 from rosward.cache.codec import OPTION, PLAIN, TEXT, Codec, MalformedError, loaded, record, text
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.asked import Asked, LaunchAsked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.ros.entities import Entity, Node, Parameter, Qos
 from rosward.ros.flows import End, NodeCall, NodeCallback, NodeFlows, NodeSink
 from rosward.rules import RULES
-from rosward.source.location import Place
 
 TEXTS = st.text(st.characters(), max_size=6)
 """Halves of surrogate pairs among them: a file name can hold one, and a text of a program two."""

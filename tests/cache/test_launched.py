@@ -25,7 +25,7 @@ from rosward.domain.values import Choice, Const, Hole, Ref, Text, Unknown
 from rosward.effects.configuration import Configuration, Given
 from rosward.effects.entry import Entry
 from rosward.engine.libraries.written import NotWrittenError
-from rosward.source.location import Place
+from rosward.location import Place
 
 LAUNCH = """from launch import LaunchDescription
 from launch_ros.actions import Node

@@ -15,10 +15,10 @@ from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration, Given
 from rosward.effects.log import EffectLog
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.naming.final_name import final_name
 from rosward.naming.options import interface_types, name_options
 from rosward.ros.distro import Distro
-from rosward.source.location import Place
 
 Rows = Mapping[str, Mapping[str, object]]
 

@@ -21,8 +21,8 @@ from rosward.domain.text import parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Hole, Text, Unknown, Value
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.ros.distro import Distro
-from rosward.source.location import Place
 
 HERE = Place("demo/launch/main.launch.py", 1)
 UNKNOWN = Unknown((Reason(Cause.CALL, "gethostname()", HERE),), "str")

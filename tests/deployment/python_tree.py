@@ -36,9 +36,9 @@ from rosward.domain.text import concat, pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Choice, Const, Unknown, Value
 from rosward.engine.libraries.library import Library
+from rosward.location import Place
 from rosward.models.tables import own_models
 from rosward.source.discover import discover
-from rosward.source.location import Place
 
 HEAD = """\
 import os, sys

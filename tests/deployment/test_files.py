@@ -13,9 +13,9 @@ from rosward.domain.choice import join
 from rosward.domain.text import concat, make
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Hole, Unknown, Value
+from rosward.location import Place
 from rosward.source.discover import discover
 from rosward.source.installed import Installed
-from rosward.source.location import Place
 
 SETUP = (
     "from setuptools import setup\nsetup(name='demo', data_files=[('share/demo/launch', ['start/left.launch.py'])])\n"

@@ -7,7 +7,7 @@ import pytest
 
 from deployment.markup_tree import shown
 from rosward.deployment.markup.substitutions import SubstitutionError, parse_substitution, unescaped
-from rosward.source.location import Place
+from rosward.location import Place
 
 HERE = Place("f.xml", 1)
 

@@ -18,7 +18,7 @@ from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Hole, ModuleValue, Ref, Unknown, Value
 from rosward.ir.program import Code, CodeKind, Parameters
-from rosward.source.location import Place
+from rosward.location import Place
 
 HERE: Final = Place("a.py", 1)
 REASONS: Final = tuple(Reason(cause, subject, HERE) for cause in (Cause.PARAMETER, Cause.MESSAGE) for subject in "abc")

@@ -7,9 +7,9 @@ import random
 
 import pytest
 
+from rosward.location import Place
 from rosward.lsp.extents import LONGEST_LINE, Extent, column_of, extent, literals
 from rosward.lsp.names import keys, parameter_of
-from rosward.source.location import Place
 
 
 def _text(file: str, text: str, begin: str) -> str:

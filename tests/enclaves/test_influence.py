@@ -18,12 +18,12 @@ from outputs.networks import node, pub, sub
 from rosward.cli import main
 from rosward.enclaves.influence import influence_of
 from rosward.enclaves.suggestion import Suggestion, Wish, suggest
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.outputs.documents.enclaves_json import enclaves_json
 from rosward.outputs.terminal.enclaves_text import enclaves_text
 from rosward.ros.entities import Entity, Interface, Node
 from rosward.ros.flows import End, NodeFlows, NodeSink
-from rosward.source.location import Place
 
 from .systems import nodes
 

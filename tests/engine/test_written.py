@@ -18,9 +18,9 @@ from rosward.engine.libraries.model_library import ModelLibrary
 from rosward.engine.libraries.stub_files import own_names
 from rosward.engine.libraries.written import NotWrittenError, Reader, Writer
 from rosward.ir.program import Code
+from rosward.location import Place
 from rosward.models.native import Arguments, MissingArgumentError
 from rosward.models.tables import own_models
-from rosward.source.location import Place
 
 PLACE = Place("a.py", 3, 7)
 REASON = Reason(Cause.PARAMETER, "topic", PLACE)

@@ -15,7 +15,7 @@ import pytest
 from sampling import sample
 
 from rosward.engine.budget import Budget
-from rosward.flow import cpp_outside
+from rosward.flow.cpp import outside
 from rosward.pipeline import extract
 from rosward.ros.flows import STRENGTHS, NodeFlows
 
@@ -71,7 +71,7 @@ def told(text: str) -> set[tuple[str, int, str]]:
 
 @pytest.mark.parametrize("path", sample(PROGRAMS, 4), ids=lambda p: p.stem)
 def test_nothing_is_missing_where_all_that_libraries_made_is_one(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cpp_outside, "_FEW", 0)
+    monkeypatch.setattr(outside, "_FEW", 0)
     found = {
         each
         for node in flows(path)

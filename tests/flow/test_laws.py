@@ -14,14 +14,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rosward.effects.flows import Source
-from rosward.flow import standing
-from rosward.flow.beside import Beside
-from rosward.flow.content import EMPTY, Content, both
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted, triggering
-from rosward.flow.memory import Memory
-from rosward.flow.remembered import Remembered, Written
-from rosward.flow.store import Numbers
-from rosward.flow.tracker import Tracker
+from rosward.flow.stored import standing
+from rosward.flow.stored.beside import Beside
+from rosward.flow.stored.content import EMPTY, Content, both
+from rosward.flow.stored.memory import Memory
+from rosward.flow.stored.remembered import Remembered, Written
+from rosward.flow.stored.store import Numbers
+from rosward.flow.stored.tracker import Tracker
 
 masks = st.integers(0, 2**12 - 1)
 keys = st.sampled_from(["a", "b", 0, 1])

@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 
 from rosward.flow.marks import NOTHING, Mark, unrolled
-from rosward.flow.remembered import News, Remembered, gather
-from rosward.flow.tracker import Tracker
+from rosward.flow.stored.remembered import News, Remembered, gather
+from rosward.flow.stored.tracker import Tracker
 
 
 def _remembered(news: News, *asked: object) -> Remembered:

@@ -10,7 +10,7 @@ import pytest
 from sampling import sample
 
 from rosward.engine.watching import watch
-from rosward.flow import shape
+from rosward.flow.stored import shape
 
 from .test_programs import PROGRAMS, _differences, _lacking, _told
 

@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rosward.flow.marks import Mark, Root
-from rosward.flow.memory import Memory
-from rosward.flow.tracker import Tracker
+from rosward.flow.stored.memory import Memory
+from rosward.flow.stored.tracker import Tracker
 
 from .test_laws import ALL, ONE, keys, marks, memory, roots
 

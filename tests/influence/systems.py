@@ -6,9 +6,9 @@ system("/cam: topic:/image <- device", "/up: network <- topic:/image, control to
 
 from __future__ import annotations
 
+from rosward.location import Place
 from rosward.ros.entities import Interface, Node, Resolution
 from rosward.ros.flows import End, NodeFlows, NodeSink
-from rosward.source.location import Place
 
 
 def system(*lines: str) -> list[Node]:

@@ -11,9 +11,9 @@ from rosward.influence.graph import graph_of
 from rosward.influence.search import at_least, upstream
 from rosward.influence.select import Selection, meant
 from rosward.influence.senders import influencing
+from rosward.location import Place
 from rosward.ros.entities import Entity, EntityKind, Node
 from rosward.ros.flows import End, NodeFlows, NodeSink
-from rosward.source.location import Place
 
 HERE = Place("a.py", 1)
 

@@ -14,6 +14,7 @@ from rosward.domain.series import Series
 from rosward.domain.text import make, matches
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import UNBOUND, Class, Const, Hole, Ref, Text, Unknown, Value
+from rosward.location import Place
 from rosward.models.native import Items, NativeCall, NativeFunction, perform
 from rosward.models.python.builtins import attributes as builtin_attributes
 from rosward.models.python.builtins import constructors as builtin_constructors
@@ -27,7 +28,6 @@ from rosward.models.python.containers import sets as containers_set
 from rosward.models.python.operators import operators
 from rosward.models.python.std import files as std_files
 from rosward.models.python.strings import methods as strings
-from rosward.source.location import Place
 
 NATIVES: dict[str, NativeFunction] = {
     **builtin_attributes.NATIVES,

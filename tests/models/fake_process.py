@@ -12,10 +12,10 @@ from rosward.domain.state import NOTHING_DONE, State
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
 from rosward.effects.log import EffectLog, NodeEffect
+from rosward.location import Place
 from rosward.models.file_paths import Files
 from rosward.models.native import ResumptionKind
 from rosward.source.definitions import Definition
-from rosward.source.location import Place
 
 
 class NoCallbacks:

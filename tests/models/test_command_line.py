@@ -12,8 +12,8 @@ from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Unknown, Value
 from rosward.effects.configuration import Configuration, Given
+from rosward.location import Place
 from rosward.naming.command_line import CommandLine, behind, given_to, read_words
-from rosward.source.location import Place
 
 HOLE = Hole((Reason(Cause.CALL, "gethostname()", Place("a.launch.py", 3)),))
 UNKNOWN = Unknown(HOLE.reasons, "str")

@@ -12,9 +12,9 @@ from rosward.domain.choice import reasons_of
 from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import TRUE, Const, Unknown, Value
+from rosward.location import Place
 from rosward.models.python.std.paths import basename, dirname, splitext
 from rosward.models.python.std.support import to_plain
-from rosward.source.location import Place
 
 SHARE = Unknown((Reason(Cause.SHARE, "demo", Place("a.py", 1)),), "str")
 

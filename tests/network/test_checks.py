@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from outputs.networks import entity, node, pub, sub
 
+from rosward.location import Place
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import connect
 from rosward.network.enclaves import enclave_paths
 from rosward.ros.entities import EntityKind, Node, Resolution
-from rosward.source.location import Place
 
 
 def found(code: str, *nodes: Node, unknown: UnknownNames = "deny") -> list[str]:

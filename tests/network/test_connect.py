@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from outputs.networks import entity, fleet, node, pub, sub, talker_and_listener
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect, with_findings
 from rosward.ros.entities import Entity, EntityKind, Parameter, Qos, Resolution, replace
-from rosward.source.location import Place
 
 
 def test_ends_of_one_name_meet() -> None:

@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 from outputs.networks import entity, node, pub, sub
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.holes import NameIndex, may_be, may_meet
 from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
-from rosward.source.location import Place
 
 NAMES = st.text("ab*/", max_size=5).map("/{}".format)
 PATTERN, UNKNOWN = Resolution.PATTERN, Resolution.UNKNOWN

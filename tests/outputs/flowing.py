@@ -6,12 +6,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.ros.entities import EntityKind, Interface, Node, Resolution
 from rosward.ros.flows import End, NodeFlows, NodeSink
 from rosward.ros.roles import all_to_all
-from rosward.source.location import Place
 
 from .networks import entity, node, pub, sub
 

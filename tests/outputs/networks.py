@@ -6,10 +6,10 @@ from __future__ import annotations
 from typing import Any, Final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
-from rosward.source.location import Place
 
 SYSTEM_SERVICES = (
     "describe_parameters",

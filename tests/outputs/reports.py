@@ -10,7 +10,7 @@ from typing import Any, Final
 import jsonschema
 
 from rosward.network.graph import Network
-from rosward.outputs.report.background import Background
+from rosward.outputs.background import Background
 from rosward.outputs.report.document import report_document
 from rosward.outputs.report.page import document_text
 

@@ -22,9 +22,11 @@ from rich.console import Console
 from outputs.networks import entity, node, pub
 from rosward import safe
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
+from rosward.outputs.background import Background
 from rosward.outputs.documents.github import github_commands
 from rosward.outputs.documents.junit import junit_xml
 from rosward.outputs.documents.launch_tree_json import launch_tree_json
@@ -36,14 +38,12 @@ from rosward.outputs.graphs.svg import graph_svg
 from rosward.outputs.policies.permissions import permissions
 from rosward.outputs.policies.policy import policies, policy_xml
 from rosward.outputs.policies.starts import starts_text
-from rosward.outputs.report.background import Background
 from rosward.outputs.report.packed import document_in
 from rosward.outputs.report.page import report_html
 from rosward.outputs.terminal.launch_tree import launch_tree_text
 from rosward.outputs.terminal.paper import Drawn
 from rosward.outputs.terminal.summary import summary
 from rosward.ros.entities import EntityKind, Parameter, Resolution
-from rosward.source.location import Place
 from rosward.source.toml import read_toml
 from rosward.suppression.judge import Judged, RelatedPlace, of_no_file
 

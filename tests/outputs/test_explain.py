@@ -14,12 +14,12 @@ from rosward.cli import main
 from rosward.domain.unknown import Cause, Reason
 from rosward.explanation.answers import explained
 from rosward.explanation.provenance import remedies
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.outputs.documents.explain_json import explain_json
 from rosward.outputs.terminal.explain import explain_text
 from rosward.ros.entities import Resolution
-from rosward.source.location import Place
 
 from .networks import node, pub, sub, talker_and_listener
 

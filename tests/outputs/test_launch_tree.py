@@ -11,10 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.outputs.documents.launch_tree_json import launch_tree_json
 from rosward.outputs.terminal.launch_tree import launch_tree_text
-from rosward.source.location import Place
 
 SCHEMA = json.loads((resources.files("rosward.outputs") / "schemas" / "launch-tree.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)

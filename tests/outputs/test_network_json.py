@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 
 from rosward._version import __version__
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.outputs.documents.network_json import network_json
 from rosward.ros.entities import Parameter
-from rosward.source.location import Place
 
 from .networks import fleet, node, pub, talker_and_listener
 

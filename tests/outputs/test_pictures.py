@@ -12,8 +12,8 @@ from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.outputs.graphs import svg
 from rosward.outputs.graphs.dot_language import Drawing
-from rosward.outputs.graphs.pictures import Pictures
 from rosward.outputs.graphs.svg import graph_svg
+from rosward.outputs.pictures import Pictures
 
 from .networks import node, pub, stack, sub, talker_and_listener
 

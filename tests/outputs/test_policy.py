@@ -12,11 +12,11 @@ import xmlschema
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.outputs.policies.policy import policies, policy_xml
 from rosward.ros.entities import EntityKind, Resolution
-from rosward.source.location import Place
 
 from .networks import entity, fleet, node, pub, sub, talker_and_listener
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from rosward.location import Place
 from rosward.network.connect import connect
-from rosward.outputs.report.background import Background
+from rosward.outputs.background import Background
 from rosward.outputs.report.packed import packed
 from rosward.outputs.report.source_lines import source_lines
-from rosward.source.location import Place
 
 from .networks import node, pub
 from .reports import Report

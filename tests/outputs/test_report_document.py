@@ -13,14 +13,14 @@ from hypothesis import strategies as st
 from laws import examples
 
 from rosward.enclaves.widened import Widened
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
+from rosward.outputs.background import Background
 from rosward.outputs.policies.policy import policies
-from rosward.outputs.report.background import Background
 from rosward.outputs.report.document import report_document
 from rosward.outputs.report.page import document_text
 from rosward.ros.entities import EntityKind, Parameter, Qos, Resolution
-from rosward.source.location import Place
 
 from .networks import entity, fleet, hostile, node, pub, sub, talker_and_listener
 from .reports import SCHEMA, Report

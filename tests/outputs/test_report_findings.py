@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect
-from rosward.outputs.report.background import Background
+from rosward.outputs.background import Background
 from rosward.ros.entities import EntityKind, Node, Qos, Resolution
-from rosward.source.location import Place
 
 from .networks import entity, node, pub, sub
 from .reports import Report

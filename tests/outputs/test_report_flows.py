@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 from laws import examples
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.report.background import Background
+from rosward.outputs.background import Background
 from rosward.outputs.report.page import report_html
 from rosward.ros.flows import STRENGTHS, End, NodeSink
-from rosward.source.location import Place
 
 from .flowing import all_flowing, flowing, robot, sink
 from .networks import fleet, node, pub, sub

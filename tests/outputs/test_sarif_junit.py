@@ -13,10 +13,10 @@ import jsonschema
 import pytest
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.outputs.documents.junit import junit_xml
 from rosward.outputs.documents.sarif import sarif_json
 from rosward.rules import RULES
-from rosward.source.location import Place
 from rosward.suppression.judge import Judged
 
 SCHEMA: Final = Path(__file__).parent / "schemas" / "sarif-2.1.0.schema.json"

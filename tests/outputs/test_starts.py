@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import pytest
 
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.outputs.policies.starts import starts_text
 from rosward.ros.entities import Node
-from rosward.source.location import Place
 
 from .networks import node
 

@@ -10,11 +10,11 @@ import sys
 from rich.console import Console
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.outputs.terminal.paper import Drawn, Plain
 from rosward.outputs.terminal.summary import summary
-from rosward.source.location import Place
 
 from .networks import fleet, talker_and_listener
 

@@ -30,10 +30,10 @@ from rosward.frontends.cpp.model_headers import PREFIX, model_headers, modelled
 from rosward.frontends.cpp.preprocess import Preprocessor
 from rosward.frontends.cpp.program import Linked, SymbolStore
 from rosward.guard import guarded
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import disk
 from rosward.source.cmake.programs import Builds, Program, Unit
-from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.workspace import Package, SourceFile, Workspace
 

@@ -18,9 +18,9 @@ from rosward.cache.codec import FLAG, NUMBER, TEXT, MalformedError, loaded, mapp
 from rosward.cache.records import FINDINGS, PLACE, PLACES
 from rosward.findings import Finding
 from rosward.frontends.cpp.headers import HeadersAsked
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import disk
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.cache.store import Store

@@ -41,6 +41,7 @@ from rosward.effects.variables import Variables, not_given
 from rosward.engine.budget import Budget
 from rosward.findings import Finding, Findings
 from rosward.guard import Steps, guarded
+from rosward.location import Place
 from rosward.naming.collect import Process, collect
 from rosward.naming.command_line import read_words
 from rosward.naming.doubts import unknown_arguments
@@ -50,7 +51,6 @@ from rosward.ros.distro import DEFAULT_DISTRO, Distro
 from rosward.ros.entities import Interface, Node
 from rosward.rules import INTERNAL_ERROR
 from rosward.source.exclude import Exclusion
-from rosward.source.location import Place
 from rosward.source.workspace import Workspace
 
 if TYPE_CHECKING:

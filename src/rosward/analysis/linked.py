@@ -14,7 +14,7 @@ from rosward.engine.cpp.program import start_component, start_main
 from rosward.findings import Finding
 from rosward.frontends.cpp.model_headers import PREFIX, modelled
 from rosward.frontends.cpp.symbols import CppSymbols
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.configuration import Configuration

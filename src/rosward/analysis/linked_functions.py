@@ -11,8 +11,8 @@ from rosward.frontends.cpp.symbol_file import stands_for
 from rosward.ir.cpp import InvokeMember, MakeLambda, Name
 from rosward.ir.op import Op, walk
 from rosward.ir.program import Code
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.frontends.cpp.symbol import CppSymbol

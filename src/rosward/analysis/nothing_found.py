@@ -11,7 +11,7 @@ from typing import Final
 
 from rosward.analysis.read import SourcesRead
 from rosward.findings import Finding
-from rosward.source.location import Place
+from rosward.location import Place
 from rosward.source.ros_1 import is_for_ros_1
 
 _CLIENTS: Final = frozenset({"rclcpp", "rclcpp_lifecycle", "rclcpp_components"})

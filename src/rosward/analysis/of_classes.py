@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 from typing import Final
 
 from rosward.analysis.seen import ClassSeen, Seen
-from rosward.source.location import Place
+from rosward.location import Place
 
 __all__ = ["called_from_outside", "node_classes"]
 

@@ -16,11 +16,11 @@ from rosward.engine.libraries.library import Library
 from rosward.engine.sources.reads import Question
 from rosward.findings import Finding
 from rosward.guard import guarded
+from rosward.location import Place
 from rosward.naming.collect import Process, collect
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Node
 from rosward.rules import Severity
-from rosward.source.location import Place
 
 __all__ = ["Done", "Outcome", "Outset", "Task", "outcome_of"]
 

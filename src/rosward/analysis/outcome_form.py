@@ -32,7 +32,7 @@ from rosward.effects.entry import Entry
 from rosward.engine.libraries.written import NotWrittenError, Reader, Writer
 from rosward.engine.sources.reads import Question
 from rosward.findings import Finding
-from rosward.source.location import Place
+from rosward.location import Place
 
 __all__ = ["ANSWER", "ENTRY", "OUTCOME", "QUESTIONS", "SEEN", "TASK", "Answer", "configuration_form"]
 

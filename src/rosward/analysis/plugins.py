@@ -14,10 +14,10 @@ from collections.abc import Collection, Mapping
 from typing import Final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.cmake.programs import Builds, Unit
-from rosward.source.location import Place
 from rosward.source.plugin_files import PluginClass, read_plugins
 from rosward.source.text import place_name, read_bytes
 from rosward.source.workspace import Workspace

@@ -29,8 +29,8 @@ from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.op import Op
 from rosward.ir.program import OpKey
+from rosward.location import Place
 from rosward.records import NamedTuple, dataclass
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from collections.abc import Callable

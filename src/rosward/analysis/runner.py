@@ -19,9 +19,9 @@ from rosward.analysis.seen import Seen
 from rosward.deadline import Deadline
 from rosward.effects.entry import Entry
 from rosward.findings import Finding, Findings
+from rosward.location import Place
 from rosward.rules import KILLED
 from rosward.source.disk import by_how, looks_of, saw_elsewhere, watching
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.analysis.known import Known

@@ -17,8 +17,8 @@ from rosward.effects.variables import Variables
 from rosward.engine.sources.shared import Shared
 from rosward.engine.unknown.escape import name_of
 from rosward.ir.program import MODEL_PREFIX, OpKey
+from rosward.location import Place
 from rosward.models.readers import creates_nothing
-from rosward.source.location import Place
 from rosward.source.standard_library import STANDARD_LIBRARY
 
 __all__ = ["NOTED_METHODS", "AskedVariable", "ClassSeen", "Method", "Seen", "note_variables", "seen_of"]

@@ -18,13 +18,13 @@ from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Code, Module
+from rosward.location import Place
 from rosward.models.facts import LibraryFacts
 from rosward.source import disk, limits
 from rosward.source.definitions import Definition
 from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
-from rosward.source.location import Place
 from rosward.source.text import decode, place_name, read_bytes
 from rosward.source.workspace import Package, SourceFile, Workspace
 from rosward.source.yaml_documents import YamlDocuments

@@ -21,9 +21,9 @@ from rosward.effects.entry import Entry
 from rosward.effects.variables import Variables, not_given
 from rosward.findings import Finding, Findings
 from rosward.guard import guarded
+from rosward.location import Place
 from rosward.records import NamedTuple, replace
 from rosward.ros.entities import Node
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.cache.store import Store

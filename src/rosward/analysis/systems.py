@@ -40,6 +40,7 @@ from rosward.engine.budget import Budget
 from rosward.engine.libraries.library import Library
 from rosward.findings import Finding, Findings
 from rosward.guard import Steps, guarded
+from rosward.location import Place
 from rosward.models.file_paths import Location, path_of
 from rosward.naming.collect import Process, collect
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
@@ -47,7 +48,6 @@ from rosward.records import NamedTuple
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Node
 from rosward.rules import UNREAD_ARGUMENT
-from rosward.source.location import Place
 from rosward.source.workspace import SourceFile, Workspace
 
 

@@ -21,8 +21,8 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.summary import Creation, creations_of
 from rosward.findings import Finding, Findings
 from rosward.ir.program import Module, OpKey
+from rosward.location import Place
 from rosward.models.facts import LibraryFacts
-from rosward.source.location import Place
 
 
 def unreached_of(

@@ -16,9 +16,9 @@ from rosward.audit.expected import Candidates, ExpectedNode, ExpectedNodes, Work
 from rosward.audit.graph import LiveGraph, LiveNode, is_hidden, part_of_action
 from rosward.audit.result import Difference, Unseen
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.policies.match import Pattern
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
-from rosward.source.location import Place
 
 __all__ = ["Absence", "place_of"]
 

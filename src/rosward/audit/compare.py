@@ -20,9 +20,9 @@ from rosward.audit.graph import LiveEntity, LiveGraph, LiveNode
 from rosward.audit.result import Audit, AuditCounts, Difference, Tool, Unjudged
 from rosward.audit.tools import tool_of
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.counts import listed
 from rosward.ros.entities import Entity, Node, Qos
-from rosward.source.location import Place
 
 __all__ = ["audit"]
 

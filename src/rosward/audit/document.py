@@ -12,10 +12,10 @@ from typing import Final
 
 from rosward.audit.graph import LiveEntity, LiveGraph, LiveNode, with_actions
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.network_file import qos_of
 from rosward.ros.entities import ENTITY_LISTS, EntityKind
 from rosward.source.json_fields import Fields, UnreadableError, json_document
-from rosward.source.location import Place
 
 __all__ = ["read_snapshot", "snapshot_of"]
 

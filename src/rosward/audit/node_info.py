@@ -19,10 +19,10 @@ from typing import Final, final
 
 from rosward.audit.graph import LiveEntity, LiveGraph, LiveNode, is_hidden, with_actions
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.ros.entities import EntityKind
 from rosward.source import limits
 from rosward.source.json_fields import UnreadableError
-from rosward.source.location import Place
 
 __all__ = ["read_node_info"]
 

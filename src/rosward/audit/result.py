@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 __all__ = ["Audit", "AuditCounts", "Difference", "Tool", "Unjudged", "Unseen"]
 

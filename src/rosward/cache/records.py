@@ -23,13 +23,13 @@ from rosward.cache.codec import (
     told_apart,
 )
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.asked import Asked, LaunchAsked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Qos, Resolution
 from rosward.ros.flows import End, NodeCall, NodeCallback, NodeFlows, NodeSink
 from rosward.rules import RULES
-from rosward.source.location import Place
 
 PLACE: Final = record(Place, TEXT, NUMBER, NUMBER)
 PLACES: Final = sequence(PLACE)

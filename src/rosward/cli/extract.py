@@ -29,7 +29,7 @@ from rosward.records import replace
 if TYPE_CHECKING:
     from rosward.enclaves.widened import Widenings
     from rosward.influence.policy import Policy
-    from rosward.outputs.report.background import Background
+    from rosward.outputs.background import Background
     from rosward.result import Result
     from rosward.suppression.judge import Reviewed
 
@@ -107,7 +107,7 @@ def _formats(text: str) -> tuple[str, ...]:
 
 def run(options: argparse.Namespace) -> int:
     """Extract once. Raises WrongUseError."""
-    from rosward.outputs.report.background import Background
+    from rosward.outputs.background import Background
     from rosward.rules import Severity
     from rosward.suppression.judge import SourceTexts
 
@@ -173,7 +173,7 @@ def _write(
 ) -> tuple[list[str], Reviewed]:
     """What was written, and the findings with those of writing."""
     from rosward.outputs.files import write_outputs
-    from rosward.outputs.graphs.pictures import Pictures
+    from rosward.outputs.pictures import Pictures
     from rosward.outputs.writing import Material
     from rosward.suppression.judge import of_no_file
 

@@ -14,7 +14,7 @@ from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration
 from rosward.findings import Finding, Findings
 from rosward.guard import guarded
-from rosward.source.location import Place
+from rosward.location import Place
 from rosward.source.text import read_source
 
 __all__ = ["parameter_files"]

@@ -30,10 +30,10 @@ from rosward.domain.values import Const, Unknown
 from rosward.effects.configuration import Given
 from rosward.findings import Finding
 from rosward.holes import literal
+from rosward.location import Place
 from rosward.ros.parameter_values import ParameterValue, effective_value, scalar_value
 from rosward.ros.validation import validate_namespace, validate_node_name
 from rosward.source import limits
-from rosward.source.location import Place
 
 _KEY: Final = "ros__parameters"
 _WILDCARDS: Final = ("*", "**")

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from rosward.domain.values import Value
     from rosward.effects.configuration import Configuration
     from rosward.findings import Finding
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 
 class StartKind(enum.Enum):

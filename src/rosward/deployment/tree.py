@@ -18,7 +18,7 @@ from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.domain.values import Value
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 
 class Substitution(NamedTuple):

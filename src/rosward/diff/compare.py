@@ -18,6 +18,7 @@ from rosward.diff.of_nodes import snapshot_of
 from rosward.diff.snapshot import ComparedState, EntityLine
 from rosward.findings import Finding
 from rosward.guard import Steps
+from rosward.location import Place
 from rosward.network.asked import asked_differently
 from rosward.network.network_file import read_network
 from rosward.policies.judge import Judge, Verdict
@@ -27,7 +28,6 @@ from rosward.policies.rights import Right
 from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.json_fields import UnreadableError
-from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
 __all__ = ["Change", "Differences", "RightLine", "compare", "not_compared", "read_snapshot"]

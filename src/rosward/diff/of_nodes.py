@@ -11,13 +11,13 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward.diff.snapshot import ComparedState, EntityLine
+from rosward.location import Place
 from rosward.policies.granted import name_to_grant
 from rosward.policies.match import LONGEST_NAME, is_pattern
 from rosward.policies.records import EnclavePolicy, Policy, PolicyRule
 from rosward.policies.rights import rights_of
 from rosward.ros.entities import Entity, Node
 from rosward.source.json_fields import UnreadableError
-from rosward.source.location import Place
 
 __all__ = ["snapshot_of"]
 

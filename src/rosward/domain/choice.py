@@ -17,7 +17,7 @@ from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import common
 from rosward.domain.unknown import TAKEN_FOR_NOTHING, Cause, Reason
 from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value, is_nan
-from rosward.source.location import Place
+from rosward.location import Place
 
 MAX_OPTIONS: Final = 64
 MAX_NUMBERS: Final = 12

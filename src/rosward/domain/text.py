@@ -15,7 +15,7 @@ from rosward.domain.compound import External
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import Choice, Const, Hole, Text, Unknown, Value
 from rosward.holes import Holed, holed
-from rosward.source.location import Place
+from rosward.location import Place
 
 MAX_LENGTH: Final = 4096
 MAX_PARTS: Final = 32

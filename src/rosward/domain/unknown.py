@@ -11,9 +11,9 @@ import enum
 from collections.abc import Iterable
 from typing import Final
 
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.rules import MADE_ANEW
-from rosward.source.location import Place
 
 
 class Cause(enum.Enum):

@@ -14,7 +14,7 @@ from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.ir.program import Code
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 Plain = None | bool | int | float | complex | str | bytes
 

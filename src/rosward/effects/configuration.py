@@ -17,7 +17,7 @@ from rosward.records import NamedTuple, dataclass, field
 if TYPE_CHECKING:
     from rosward.domain.unknown import Reason
     from rosward.domain.values import Value
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 
 class Given(NamedTuple):

@@ -8,8 +8,8 @@ from types import MappingProxyType
 from typing import Final
 
 from rosward.domain.values import Value
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 RELEASED: Final = "released"
 """The kind of what a function gives that releases something: a sink of what it is made of, and a source."""

@@ -16,9 +16,9 @@ from rosward.domain.values import UNBOUND, Choice, Class, Ref, Text, Unknown, Va
 from rosward.effects.sent import SentEffect
 from rosward.effects.variables import Variables
 from rosward.findings import Finding, Findings
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.ros.entities import Qos
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj

@@ -6,8 +6,8 @@ from __future__ import annotations
 from typing import Literal
 
 from rosward.domain.values import Value
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 Sending = Literal["publication", "request", "response", "goal", "cancel", "feedback", "result"]
 

@@ -18,7 +18,7 @@ from rosward.domain.unknown import Origins
 from rosward.domain.values import Const, Unknown, Value
 from rosward.effects.shell import ORIGIN
 from rosward.findings import Finding
-from rosward.source.location import Place
+from rosward.location import Place
 
 __all__ = ["Variables", "listed", "not_given"]
 

@@ -21,12 +21,12 @@ from rosward.enclaves.privileges import Privilege, by_enclave, on_dds, parts, pr
 from rosward.enclaves.size import LARGEST, privilege_size, signed_size, too_large
 from rosward.enclaves.widened import Widened
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.checks import UnknownNames
 from rosward.policies.match import Pattern
 from rosward.policies.rights import Right
 from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind, Node
-from rosward.source.location import Place
 
 __all__ = ["Compaction", "compact"]
 

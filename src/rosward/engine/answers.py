@@ -18,7 +18,7 @@ from rosward.engine.running import nodes_asked
 from rosward.engine.running.frame import own_frame
 from rosward.engine.unknown import escape
 from rosward.findings import Finding
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import NodeEffect

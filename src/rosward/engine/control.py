@@ -20,8 +20,8 @@ from rosward.engine.running.frame import Frame, Snapshot, join_into
 from rosward.engine.running.rest import Rest
 from rosward.engine.throwing import note_turn
 from rosward.ir import ops
+from rosward.location import Place
 from rosward.models.ros import parameter_table
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -29,9 +29,9 @@ from rosward.engine.running.schedule_book import Schedule
 from rosward.engine.running.summaries import Summaries
 from rosward.engine.running.trace import Trace
 from rosward.ir import ops
+from rosward.location import Place
 from rosward.models.native import Items
 from rosward.models.python.containers.sets import distinct
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog, EntityEffect

@@ -38,8 +38,8 @@ if TYPE_CHECKING:
     from rosward.engine.running.ways import Way
     from rosward.ir import ops
     from rosward.ir.program import Code
+    from rosward.location import Place
     from rosward.models.native import Items, ResumptionKind
-    from rosward.source.location import Place
 
 
 class Watcher(Protocol):

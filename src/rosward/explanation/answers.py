@@ -23,6 +23,7 @@ from rosward.explanation.provenance import (
 )
 from rosward.explanation.subjects import MeetingPoint, Subjects, close_matches, is_at, subjects
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.checks import UnknownNames
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
@@ -30,7 +31,6 @@ from rosward.network.launch_tree import LaunchSystem
 from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, Interface, Node, Qos, Resolution
 from rosward.rules import RULES, Severity
-from rosward.source.location import Place
 
 __all__ = [
     "Answer",

@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Final, final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.safe import printable
 from rosward.source import disk, limits
-from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes
 
 __all__ = ["Excerpt", "Excerpts", "SourceLine"]

@@ -13,13 +13,13 @@ from collections.abc import Iterable, Sequence
 from typing import Final, final
 
 from rosward.enclaves.grants import enclaves
+from rosward.location import Place
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.policies.elements import ELEMENTS
 from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, Node, Parameter, Resolution
-from rosward.source.location import Place
 
 __all__ = ["EntityRules", "NameSource", "PolicyLine", "Start", "Starts", "remap_rules", "remedies", "sources"]
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.flow.marks import Mark, Root
 
 if TYPE_CHECKING:
-    from rosward.flow.memory import Memory
+    from rosward.flow.stored.memory import Memory
     from rosward.ir import ops
 
 _VIEWS: Final = frozenset(

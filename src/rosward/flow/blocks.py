@@ -11,17 +11,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from rosward.flow import cpp_calls, implicit
+from rosward.flow import implicit
 from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees, run_to_the_end
-from rosward.flow.content import TooLongError
+from rosward.flow.cpp import calls as cpp_calls
 from rosward.flow.marks import HANDLED, NOTHING, Mark, demoted
 from rosward.flow.reading import elements, narrowed, opaque
+from rosward.flow.stored.content import TooLongError
 from rosward.ir import ops
 
 if TYPE_CHECKING:
     from rosward.engine.running.seen import Seen
-    from rosward.flow.memory import Memory
+    from rosward.flow.stored.memory import Memory
     from rosward.flow.walker import Walker
 
 

@@ -9,12 +9,12 @@ from operator import is_not
 from typing import final
 
 from rosward.engine.running.seen import Activation
-from rosward.flow.content import Content, both
 from rosward.flow.marks import NOTHING, Mark, Root
-from rosward.flow.memory import Memory
-from rosward.flow.sinks import Chain
+from rosward.flow.stored.content import Content, both
+from rosward.flow.stored.memory import Memory
+from rosward.flow.stored.sinks import Chain
 from rosward.ir.op import Op
-from rosward.source.location import Place
+from rosward.location import Place
 
 
 @final

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Final
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.running.seen import Called, Handed, refs_of
 from rosward.flow.body import Body
-from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.stored.content import Content
 from rosward.flow.ways import joined_marks
 from rosward.ir import ops
 from rosward.ir.registers import reads

@@ -12,12 +12,13 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from rosward.engine.arguments import MAYBE
-from rosward.flow import library, natives
+from rosward.flow import library
 from rosward.flow.body import Body
 from rosward.flow.bound import in_parameters
 from rosward.flow.calls import keep_arguments, resume
 from rosward.flow.marks import NOTHING, Mark
-from rosward.flow.partials import Given, bound_in
+from rosward.flow.native import natives
+from rosward.flow.native.partials import Given, bound_in
 from rosward.flow.ways import Way, each_way, joined_marks
 
 if TYPE_CHECKING:

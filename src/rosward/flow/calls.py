@@ -19,17 +19,18 @@ from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import MAYBE
 from rosward.engine.running.seen import Activation, Seen, refs_of
 from rosward.engine.unknown.escape import BY_LIBRARY
-from rosward.flow import implicit, library, natives
+from rosward.flow import implicit, library
 from rosward.flow.body import Attempt, Body, Point
 from rosward.flow.bound import NO_SPREAD, Spread, all_bound, handed
-from rosward.flow.constructed import construct
-from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of
-from rosward.flow.partials import bound_in
+from rosward.flow.native import natives
+from rosward.flow.native.constructed import construct
+from rosward.flow.native.partials import bound_in
 from rosward.flow.reading import arising, leads, owners_of
 from rosward.flow.released import released
 from rosward.flow.site import callees, is_native
+from rosward.flow.stored.content import Content
 from rosward.flow.ways import Way, each_way, either, joined_marks
 from rosward.ir import ops
 

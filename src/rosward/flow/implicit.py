@@ -18,7 +18,7 @@ from rosward.engine.running.seen import Seen, refs_of
 from rosward.flow import hidden
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.reading import elements
-from rosward.flow.shape import GIVING_NOTHING
+from rosward.flow.stored.shape import GIVING_NOTHING
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker

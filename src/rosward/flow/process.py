@@ -17,19 +17,21 @@ from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.running.seen import refs_of
 from rosward.engine.unknown.escape import BY_BASE, BY_LIBRARY, BY_PYTHON, BY_WINDOW
-from rosward.flow import blocks, cpp, cpp_calls, hidden, implicit, straight
+from rosward.flow import blocks, hidden, implicit, straight
 from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send, sink_of
-from rosward.flow.content import Content, TooLongError
+from rosward.flow.cpp import calls as cpp_calls
+from rosward.flow.cpp import operations as cpp
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
-from rosward.flow.memory import Memory
 from rosward.flow.said import wrong_marks
-from rosward.flow.shape import Shape
+from rosward.flow.stored.content import Content, TooLongError
+from rosward.flow.stored.memory import Memory
+from rosward.flow.stored.shape import Shape
 from rosward.flow.walker import Handler, Walker
 from rosward.ir import ops
 from rosward.ir.program import CPP, PYTHON
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -11,14 +11,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
-from rosward.flow import frames, hidden, implicit, suspending
+from rosward.flow import hidden, implicit, suspending
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees, schedule
-from rosward.flow.constructed import attributes
-from rosward.flow.content import Content
 from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
-from rosward.flow.partials import bound_in
+from rosward.flow.native import frames
+from rosward.flow.native.constructed import attributes
+from rosward.flow.native.partials import bound_in
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of
+from rosward.flow.stored.content import Content
 from rosward.ir import ops
 from rosward.ir.registers import reads, writes
 

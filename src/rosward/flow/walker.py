@@ -14,26 +14,26 @@ from rosward.effects.flows import Sink, Source
 from rosward.engine.running.seen import Activation, Seen
 from rosward.engine.unknown.escape import BY_LIBRARY
 from rosward.engine.watching.watch import is_of_program
-from rosward.flow.beside import Beside
 from rosward.flow.body import Attempt, Body, Point, here, where
-from rosward.flow.content import TooLongError
 from rosward.flow.failing import STRUCTURED, may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
-from rosward.flow.memory import Memory
-from rosward.flow.remembered import MOST, News, Remembered, gather
-from rosward.flow.sinks import DEEP, Chain, Sinks
 from rosward.flow.site import Sites, merged
-from rosward.flow.tracker import KeySets, Tracker
-from rosward.flow.trail import Trail
+from rosward.flow.stored.beside import Beside
+from rosward.flow.stored.content import TooLongError
+from rosward.flow.stored.memory import Memory
+from rosward.flow.stored.remembered import MOST, News, Remembered, gather
+from rosward.flow.stored.sinks import DEEP, Chain, Sinks
+from rosward.flow.stored.tracker import KeySets, Tracker
+from rosward.flow.stored.trail import Trail
 from rosward.ir import ops
 from rosward.ir.program import CPP
 from rosward.ir.registers import writes
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.running.scheduled import Scheduled
     from rosward.engine.watching.watch import Watch
-    from rosward.flow.shape import Shape
+    from rosward.flow.stored.shape import Shape
 
 Handler = Callable[["Walker", Any, Body, Seen], "bool | None"]
 """What an operation does to what is known: False where control does not go on behind it."""

@@ -17,9 +17,9 @@ from rosward.influence.graph import Edge, FlowGraph, Vertex
 from rosward.influence.policy import Policy, Release, Rule, is_function
 from rosward.influence.search import Passing, Reached, at_least, downstream, upstream, way_from, way_to
 from rosward.influence.select import Selection, beginnings, meant
+from rosward.location import Place
 from rosward.ros.entities import Node
 from rosward.ros.flows import STRENGTHS
-from rosward.source.location import Place
 
 _NOBODYS: Final = ("clock", "random")
 _NOWHERE: Final = Place("", 0)

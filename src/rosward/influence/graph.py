@@ -13,11 +13,11 @@ from collections.abc import Iterable, Iterator
 from typing import Final, final
 
 from rosward.influence.declared import flows_of
+from rosward.location import Place
 from rosward.network.holes import may_meet
 from rosward.records import NamedTuple
 from rosward.ros.entities import Node
 from rosward.ros.flows import STRENGTHS, End
-from rosward.source.location import Place
 
 SHARED: Final = ("topic", "request", "response", "goal", "cancel", "feedback", "result", "tf", "log")
 """Kinds of content that nodes share by its name."""

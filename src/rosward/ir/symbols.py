@@ -32,7 +32,7 @@ __all__ = [
 ]
 
 if TYPE_CHECKING:
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 
 class SymbolKind(enum.Enum):

@@ -13,7 +13,7 @@ import re
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from rosward.source.location import Place
+from rosward.location import Place
 
 __all__ = ["LONGEST_LINE", "Extent", "Literal", "column_of", "extent", "literals"]
 

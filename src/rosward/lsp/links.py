@@ -12,12 +12,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
+from rosward.location import Place
 from rosward.lsp.extents import Extent, column_of, extent
 from rosward.lsp.marks import Mark, Marks, meeting
 from rosward.lsp.names import is_for, keys, literal_at, parameter_of, policy_name
 from rosward.lsp.records import End, Seen, Setting, Started
 from rosward.lsp.state import Folder, Found, State
-from rosward.source.location import Place
 
 __all__ = ["Aim", "aims", "everywhere", "place_aim"]
 

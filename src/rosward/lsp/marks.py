@@ -11,9 +11,9 @@ from __future__ import annotations
 from fnmatch import fnmatchcase
 from typing import Final, NamedTuple, final
 
+from rosward.location import Place
 from rosward.lsp.records import End, Seen, Setting, Started, View
 from rosward.ros.entities import EntityKind
-from rosward.source.location import Place
 
 __all__ = ["OPPOSITE", "Mark", "Marks", "meeting", "plural"]
 

@@ -13,12 +13,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple, final
 
+from rosward.location import Place
 from rosward.lsp.extents import Extent, Literal, column_of, extent, literals
 from rosward.lsp.marks import Marks
 from rosward.lsp.names import expanded, is_for, keys, parameter_of
 from rosward.lsp.records import End, Given, Seen, Setting, Started
 from rosward.lsp.state import Based, Folder, State
-from rosward.source.location import Place
 
 __all__ = ["Hindrance", "Origin", "Origins", "Spot"]
 

@@ -13,7 +13,7 @@ import json
 import typing
 from typing import Any, Final, NamedTuple, TypeVar
 
-from rosward.source.location import Place
+from rosward.location import Place
 
 __all__ = ["LAUNCH", "SOURCES", "End", "Given", "MalformedError", "Seen", "Setting", "Started", "Told", "View", "read", "written"]  # fmt: skip
 

@@ -15,13 +15,13 @@ from fnmatch import fnmatchcase
 from typing import NamedTuple, final
 
 from rosward.holes import Holed
+from rosward.location import Place
 from rosward.lsp.extents import Extent
 from rosward.lsp.marks import Marks, meeting
 from rosward.lsp.names import expanded, literal_at, relative_to
 from rosward.lsp.origins import Origin, Origins, Spot
 from rosward.lsp.state import Folder, State
 from rosward.ros.names import validate_name
-from rosward.source.location import Place
 
 __all__ = ["Edit", "RefusedError", "Target", "rename", "renamed_at"]
 

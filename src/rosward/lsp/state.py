@@ -13,11 +13,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Final, NamedTuple, final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.lsp.extents import Extent, column_of, extent
 from rosward.lsp.marks import Mark, Marks
 from rosward.lsp.records import LAUNCH, SOURCES, Told, View
 from rosward.source import limits
-from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
 
 _UNREAD: Final = frozenset({"RW001", "RW005", "RW006"})

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
+from rosward.location import Place
 from rosward.lsp.extents import Extent, column_of, extent
 from rosward.lsp.links import Aim, place_aim
 from rosward.lsp.marks import Mark, Marks, meeting, plural
 from rosward.lsp.records import End, Seen, Setting, Started
 from rosward.lsp.state import State
-from rosward.source.location import Place
 
 __all__ = ["Lens", "Symbol", "lenses", "symbols_in", "symbols_named"]
 

@@ -17,8 +17,8 @@ from typing import Final, Protocol
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Hole, Text, Unknown, Value
+from rosward.location import Place, names_of_path
 from rosward.records import NamedTuple
-from rosward.source.location import Place, names_of_path
 
 _PACKAGE: Final = re.compile(r"\w[\w.-]*", re.ASCII)
 

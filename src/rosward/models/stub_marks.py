@@ -17,11 +17,11 @@ from pathlib import Path
 from typing import Final, NamedTuple, final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.models.facts import stub_names
 from rosward.models.flow_marks import NO_MARK, FlowMark
 from rosward.models.marked_stubs import Scope, Wrong, imports_of, scope_of
 from rosward.source import disk, limits
-from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
 _HERE: Final = Path(__file__).parent

@@ -13,6 +13,7 @@ from rosward.domain.values import Const, Value
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.findings import Finding, Findings
 from rosward.holes import HOLE, Holed
+from rosward.location import Place
 from rosward.naming import implicit
 from rosward.naming.doubts import invalid_name, unknown_name, unknown_node, unknown_type
 from rosward.naming.final_name import command_lines, final_name, remaps_of
@@ -25,7 +26,6 @@ from rosward.ros import names
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution, least_sure
 from rosward.ros.implicit import service_event_topic
-from rosward.source.location import Place
 
 KINDS: Final = {
     "publisher": EntityKind.PUBLISHER,

@@ -20,10 +20,10 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Choice, Const, Text, Unknown, Value
 from rosward.effects.configuration import Configuration, Given
 from rosward.holes import HOLE, Holed, with_stars
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.ros import arguments, names
 from rosward.ros.parameter_values import ParameterValue, effective_value
-from rosward.source.location import Place
 
 UNKNOWN_ARGUMENTS: Final = "unknown ROS arguments may rename what the process creates"
 

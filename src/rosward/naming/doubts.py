@@ -10,11 +10,11 @@ from rosward.domain.unknown import OTHERS, OUTSIDE, Cause, Reason, causes_of
 from rosward.domain.values import Value
 from rosward.findings import Finding, doubtful
 from rosward.holes import with_stars
+from rosward.location import Place
 from rosward.naming.command_line import UNKNOWN_ARGUMENTS
 from rosward.naming.options import NameOption, interface_type
 from rosward.ros.entities import Entity, Resolution
 from rosward.rules import MADE_ANEW
-from rosward.source.location import Place
 
 _REMEDY: Final = {
     Cause.PARAMETER: "give the parameter a default",

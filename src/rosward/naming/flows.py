@@ -10,6 +10,7 @@ from rosward.domain.certain import text_of
 from rosward.domain.values import Value
 from rosward.effects.flows import RELEASED, Callback, Flow, ProcessFlows, Source
 from rosward.findings import Findings
+from rosward.location import Place
 from rosward.naming.implicit import Identity
 from rosward.naming.options import name_options
 from rosward.naming.resolved import resolved
@@ -18,7 +19,6 @@ from rosward.ros.distro import Distro
 from rosward.ros.entities import EntityKind, Node
 from rosward.ros.flows import EXECUTING, STRENGTHS, End, NodeCall, NodeCallback, NodeFlows, NodeSink
 from rosward.ros.roles import all_to_all
-from rosward.source.location import Place
 
 _NAMED: Final = {
     "topic": EntityKind.PUBLISHER,

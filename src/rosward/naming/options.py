@@ -17,10 +17,10 @@ from rosward.domain.text import common, origins_of, pattern
 from rosward.domain.unknown import INSTEAD, Cause, Origins, Reason
 from rosward.domain.values import NONE, Class, Const, Text, Unknown, Value
 from rosward.holes import HOLE, Holed
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.ros.entities import Resolution
 from rosward.source.definitions import PARTS
-from rosward.source.location import Place
 
 MAX_NODES: Final = 16
 """Nodes that one call may make, each in its place: more of one beginning are one with a hole in its name."""

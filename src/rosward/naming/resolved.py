@@ -7,6 +7,7 @@ from typing import Final
 
 from rosward.findings import Findings
 from rosward.holes import Holed
+from rosward.location import Place
 from rosward.naming.doubts import invalid_name
 from rosward.naming.final_name import remapped_by
 from rosward.naming.implicit import Identity
@@ -14,7 +15,6 @@ from rosward.naming.options import NameOption, name_options
 from rosward.ros import names
 from rosward.ros.distro import Distro
 from rosward.ros.entities import EntityKind, Resolution, least_sure
-from rosward.source.location import Place
 
 SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
 ACTIONS: Final = (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT)

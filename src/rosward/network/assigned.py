@@ -16,11 +16,11 @@ from pathlib import Path
 from typing import Final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import dataclass, field
 from rosward.ros.entities import Node
 from rosward.ros.names import validate_enclave
 from rosward.source import limits
-from rosward.source.location import Place
 from rosward.source.text import read_bytes
 from rosward.source.toml import read_toml
 

@@ -14,12 +14,12 @@ from typing import Literal, TypeVar
 
 from rosward.findings import Finding
 from rosward.guard import Steps
+from rosward.location import Place
 from rosward.network.enclaves import LONGEST_ENCLAVE, enclave_paths
 from rosward.network.graph import Network
 from rosward.network.qos import incompatible_qos
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 from rosward.rules import MADE_ANEW
-from rosward.source.location import Place
 
 __all__ = ["UnknownNames", "check", "place_of"]
 

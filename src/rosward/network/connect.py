@@ -14,11 +14,11 @@ from itertools import groupby
 from typing import TypeVar
 
 from rosward.findings import Finding, each_once
+from rosward.location import Place
 from rosward.network.checks import UnknownNames, check
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.records import NamedTuple, replace
 from rosward.ros.entities import KIND_ORDER, Entity, EntityKind, Node, Parameter, Qos, surest
-from rosward.source.location import Place
 
 __all__ = ["apart", "connect", "with_findings"]
 

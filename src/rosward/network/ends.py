@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from typing import Final
 
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, EntityKind, Node
-from rosward.source.location import Place
 
 __all__ = ["End", "Meeting", "listed_names", "meetings"]
 

@@ -13,10 +13,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rosward.holes import HOLE
+from rosward.location import Place
 from rosward.network.free import free
 from rosward.records import replace
 from rosward.ros.entities import Interface, Node
-from rosward.source.location import Place
 
 __all__ = ["labelled"]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 CONTAINER: Final = "container:"
 """How the label of a process begins that only components tell of: the name of their container follows."""

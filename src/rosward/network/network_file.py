@@ -16,12 +16,12 @@ from dataclasses import replace
 from typing import Final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.asked import NOT_TOLD, Asked, LaunchAsked
 from rosward.records import NamedTuple
 from rosward.ros.entities import ENTITY_LISTS, Entity, Interface, Node, Qos, Resolution, is_assumed_label
 from rosward.rules import RULES
 from rosward.source.json_fields import Fields, UnreadableError, json_document
-from rosward.source.location import Place
 
 __all__ = ["NetworkRead", "qos_of", "read_network"]
 

@@ -7,14 +7,14 @@ from collections.abc import Collection, Iterable
 
 from rosward.findings import Finding
 from rosward.guard import internal_error
+from rosward.location import Place
 from rosward.network.connect import with_findings
 from rosward.outputs.formats import FORMATS, Format
-from rosward.outputs.graphs.pictures import Pictures
+from rosward.outputs.pictures import Pictures
 from rosward.outputs.whole_files import write_text
 from rosward.outputs.writing import File, Material, Scan, files, text
 from rosward.records import NamedTuple
 from rosward.source import disk
-from rosward.source.location import Place
 from rosward.suppression.judge import of_no_file
 
 __all__ = ["Written", "write_outputs"]

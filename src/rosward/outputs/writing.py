@@ -17,12 +17,12 @@ from rosward.enclaves.grants import NOT_WIDENED
 from rosward.enclaves.widened import Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
-from rosward.outputs.graphs.pictures import Pictures
+from rosward.outputs.pictures import Pictures
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
+    from rosward.outputs.background import Background
     from rosward.outputs.formats import Format
-    from rosward.outputs.report.background import Background
     from rosward.suppression.judge import Judged
 
 __all__ = ["File", "FindingsWriter", "Material", "NetworkWriter", "Scan", "files", "of_enclave", "of_enclaves", "text"]

@@ -16,6 +16,7 @@ from collections.abc import Iterable, Iterator
 from typing import Final, final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.counts import listed
 from rosward.network.graph import Network
 from rosward.policies.judge import Judge, Judgement, Verdict
@@ -24,7 +25,6 @@ from rosward.policies.needs import EnclaveNeeds, Need, needs_of
 from rosward.policies.records import EnclavePolicy, Policy, PolicyRule
 from rosward.policies.rights import DISCOVERY, Direction, Right
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 __all__ = ["Discrepancy", "Related", "compare"]
 

@@ -17,9 +17,9 @@ from typing import Final, final
 from xml.parsers import expat
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import disk, limits
-from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
 from rosward.source.xml_events import RefusedXmlError, parse
 

@@ -11,12 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from rosward.location import Place
 from rosward.network.enclaves import enclave_paths
 from rosward.policies.granted import is_name_of_ros, name_to_grant
 from rosward.policies.rights import Right, rights_of
 from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
-from rosward.source.location import Place
 
 __all__ = ["EnclaveNeeds", "Need", "needs_of"]
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.policies.rights import Right
-from rosward.source.location import Place
 
 __all__ = ["EnclavePolicy", "Policy", "PolicyRule"]
 

@@ -11,9 +11,9 @@ import re
 from collections.abc import Iterable
 from typing import Final
 
+from rosward.location import Place
 from rosward.records import dataclass, field, replace
 from rosward.ros.flows import NodeFlows
-from rosward.source.location import Place
 
 __all__ = [
     "ENTITY_LISTS",

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from rosward.location import Place
 from rosward.records import NamedTuple, dataclass
-from rosward.source.location import Place
 
 EXECUTING: Final = ("code", "pickle", "method")
 """Kinds of what is no output, but decides what is executed."""

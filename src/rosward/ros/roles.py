@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Final
 
+from rosward.location import Place
 from rosward.ros.entities import EntityKind, Node
 from rosward.ros.flows import End, NodeSink
-from rosward.source.location import Place
 
 SENT: Final = {
     EntityKind.PUBLISHER: ("topic",),

@@ -31,10 +31,10 @@ from rosward.network.connect import with_findings
 from rosward.network.counts import counts_of
 from rosward.network.graph import Network
 from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
+from rosward.outputs.background import Background
 from rosward.outputs.documents.flow_json import flow_json
 from rosward.outputs.files import write_outputs
 from rosward.outputs.formats import BY_NAME
-from rosward.outputs.report.background import Background
 from rosward.outputs.terminal.diff_text import diff_text
 from rosward.outputs.terminal.paper import Plain
 from rosward.outputs.terminal.summary import summary

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
 from rosward.guard import guarded
+from rosward.location import Place
 from rosward.source import disk, limits
 from rosward.source.boundary import Boundary
 from rosward.source.build_script import is_build_script
@@ -27,7 +28,6 @@ from rosward.source.executables import executables
 from rosward.source.imports import ImportResolver
 from rosward.source.layout import Layout
 from rosward.source.left_out import left_out, named_few
-from rosward.source.location import Place
 from rosward.source.ros_1 import of_ros_1
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import place_name, read_bytes

@@ -14,9 +14,9 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import limits
-from rosward.source.location import Place
 from rosward.source.text import read_bytes
 from rosward.source.toml import read_toml
 

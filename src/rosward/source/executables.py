@@ -17,8 +17,8 @@ from rosward.source.text import read_bytes
 from rosward.source.workspace import Executable, ExecutableKind
 
 if TYPE_CHECKING:
+    from rosward.location import Place
     from rosward.source.imports import ImportResolver
-    from rosward.source.location import Place
     from rosward.source.packages import DescribedPackage
 
 _SHEBANG: Final = re.compile(rb"#![^\n]*\bpython[0-9.]*\b")

@@ -19,9 +19,9 @@ from pathlib import Path
 from typing import Final, Protocol, final
 
 from rosward.findings import Finding
+from rosward.location import names_of_path
 from rosward.source import disk, limits
 from rosward.source.discover import discover
-from rosward.source.location import names_of_path
 from rosward.source.text import place_name, read_bytes
 from rosward.source.workspace import Package, SourceFile, Workspace
 

@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import Final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.source import disk
-from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.walk import MARKERS, Tree
 from rosward.source.workspace import SkipReason

@@ -15,9 +15,9 @@ from collections.abc import Mapping
 from xml.parsers import expat
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import limits
-from rosward.source.location import Place
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import read_bytes
 from rosward.source.xml_events import RefusedXmlError, parse

@@ -13,6 +13,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.build_script import is_build_script
@@ -20,7 +21,6 @@ from rosward.source.cmake.install import below_share
 from rosward.source.cmake.installed import CMakeProject, read_cmake
 from rosward.source.entry_points import PythonSide, read_pyproject, read_setup_cfg
 from rosward.source.generated import there
-from rosward.source.location import Place
 from rosward.source.manifest import Manifest, read_manifest
 from rosward.source.setup_py import read_setup_py
 from rosward.source.text import place_name

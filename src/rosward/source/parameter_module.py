@@ -17,8 +17,8 @@ from itertools import groupby
 from types import MappingProxyType
 from typing import Final
 
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 from rosward.source.parameter_yaml import MAP, Check, Constant, DescribedParameter, ParameterLibrary, read_parameters
 from rosward.source.yaml_nodes import Malformed
 

@@ -16,8 +16,8 @@ import re
 from types import MappingProxyType
 from typing import Final
 
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 from rosward.source.yaml_nodes import Item, Malformed, read_yaml
 
 MAP: Final = "__map_"

@@ -11,8 +11,8 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.source.left_out import named_few
-from rosward.source.location import Place
 from rosward.source.workspace import Package
 
 _ONLY_ROS_1: Final = frozenset(

@@ -18,11 +18,11 @@ from collections import Counter
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.source import limits
 from rosward.source.entry_points import PythonSide, entry_points, text_lines
 from rosward.source.glob import glob
 from rosward.source.literal import UNKNOWN, LiteralScope, bind, evaluate
-from rosward.source.location import Place
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import decode, read_bytes
 

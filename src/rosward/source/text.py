@@ -18,9 +18,9 @@ import tokenize
 from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import disk, limits
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from pathlib import Path

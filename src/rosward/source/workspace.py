@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from rosward.findings import Finding
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 
 _NOTHING: Final = Exclusions()

@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import limits
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     import yaml  # it takes a while to load, and most sources come without

@@ -13,10 +13,10 @@ from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.rules import RULES, Severity
 from rosward.source import disk
-from rosward.source.location import Place
 from rosward.source.text import read_source
 from rosward.source.workspace import SourceFile
 from rosward.suppression.comments import IgnoreComment, ignore_comments

@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Final
 
+from rosward.location import Place
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem, Shown
 from rosward.pipeline import Result
 from rosward.ros.entities import Entity, Node, Qos
 from rosward.safe import encodable
-from rosward.source.location import Place
 from rosward.surveying.columns import TABLES, Cell, Row
 
 __all__ = ["rows_of"]

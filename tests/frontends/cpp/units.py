@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from rosward.findings import Finding
 from rosward.frontends.cpp.prepared import Prepared, Translation
 from rosward.frontends.cpp.preprocess import Preprocessor
-from rosward.source.location import Place
+from rosward.location import Place
 
 
 def preprocessor(files: Mapping[str, str]) -> Preprocessor:

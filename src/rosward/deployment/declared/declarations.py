@@ -17,8 +17,8 @@ from rosward.deployment.declared.read import read_package
 from rosward.deployment.declared.shapes import EndpointGroup, PackageDeclaration, Program
 from rosward.findings import Finding, Findings
 from rosward.guard import guarded
+from rosward.location import Place
 from rosward.source import disk, limits
-from rosward.source.location import Place
 from rosward.source.text import read_bytes
 from rosward.source.yaml_documents import YamlDocuments
 

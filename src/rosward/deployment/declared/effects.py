@@ -40,12 +40,12 @@ from rosward.effects.configuration import Configuration
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.findings import Finding, Findings
 from rosward.holes import HOLE, Holed
+from rosward.location import Place
 from rosward.naming.command_line import given_to, read_words
 from rosward.naming.final_name import final_name, full_name, remaps_of
 from rosward.ros import names
 from rosward.ros.arguments import parse_arguments
 from rosward.ros.distro import Distro
-from rosward.source.location import Place
 
 _MOST_ENDPOINTS: Final = 2_000
 _MOST_STEPS: Final = 50_000

@@ -17,10 +17,10 @@ from rosward.domain.values import Value
 from rosward.effects.flows import Flow, ProcessFlows, Sink, Source
 from rosward.effects.log import EffectLog
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.ros.entities import EntityKind
 from rosward.ros.flows import STRENGTHS
 from rosward.ros.roles import ARRIVING, SENT
-from rosward.source.location import Place
 
 __all__ = ["FoundEnd", "FoundFlow", "process_flows"]
 

@@ -18,8 +18,8 @@ from rosward.domain.compound import External, Tuple
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Hole, Unknown, Value
+from rosward.location import Place
 from rosward.ros.distro import Distro
-from rosward.source.location import Place
 
 _MOST_ITEMS: Final = 200
 _TYPE: Final = re.compile(r"([A-Za-z]\w*)/(?:(msg|srv|action)/)?([A-Z]\w*)")

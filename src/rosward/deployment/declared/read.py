@@ -29,10 +29,10 @@ from rosward.deployment.declared.shapes import (
     Window,
 )
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Qos
 from rosward.ros.implicit import ClientLibrary
-from rosward.source.location import Place
 from rosward.source.yaml_documents import YamlDocuments
 from rosward.source.yaml_nodes import Item, Malformed
 

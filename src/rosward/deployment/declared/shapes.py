@@ -8,11 +8,11 @@ executables: {relay: {node: relay, subscriptions: [{name: '${param:input}', type
 from __future__ import annotations
 
 from rosward.domain.values import Value
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Qos
 from rosward.ros.implicit import ClientLibrary
-from rosward.source.location import Place
 
 Scalar = bool | int | float | str
 

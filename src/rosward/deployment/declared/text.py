@@ -18,10 +18,10 @@ from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, is_path, parts_of
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
+from rosward.location import Place
 from rosward.models.python.plain import with_origins
 from rosward.naming.command_line import ANY_NAME
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 DEEPEST: Final = 8
 

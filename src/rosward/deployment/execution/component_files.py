@@ -15,7 +15,7 @@ from typing import Final
 from rosward.deployment.execution.yaml_values import load_yaml, value_of
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.effects.configuration import Given
-from rosward.source.location import Place
+from rosward.location import Place
 
 _PARAMETERS: Final = "ros__parameters"
 

@@ -28,8 +28,8 @@ from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value
 from rosward.effects.configuration import Given
+from rosward.location import Place
 from rosward.naming.command_line import type_word
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

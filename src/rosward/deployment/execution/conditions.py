@@ -18,8 +18,8 @@ from rosward.domain.text import is_path, matches, origins_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import Const, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

@@ -19,8 +19,8 @@ from rosward.domain.choice import join, join_all
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Unknown, Value
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 MAX_ALTERNATIVES: Final = 8
 ROS_NAMESPACE: Final = "ros_namespace"

@@ -31,8 +31,8 @@ from rosward.domain.values import Hole, Value
 from rosward.effects.shell import Shell, shell
 from rosward.effects.variables import Variables
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.ros.distro import Distro
-from rosward.source.location import Place
 from rosward.source.surroundings import surroundings
 
 __all__ = ["Execution", "LaunchFiles"]

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Final, final
 
 from rosward.findings import Finding, Findings
-from rosward.source.location import Place
+from rosward.location import Place
 
 MAX_FINDINGS: Final = 5_000
 

@@ -34,7 +34,7 @@ from rosward.domain.text import is_path, origins_of, parts_of, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, Const, Hole, Text, Unknown, Value
 from rosward.effects.configuration import Given
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.findings import FindingLog

@@ -20,7 +20,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import Hole, Value
 from rosward.findings import Finding
 from rosward.guard import guarded
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.findings import FindingLog

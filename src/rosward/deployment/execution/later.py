@@ -15,8 +15,8 @@ from typing import Final, final
 from rosward.deployment import tree
 from rosward.deployment.execution.nodes import At
 from rosward.domain.values import Value
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 _DOUBTFUL: Final = {
     "process-exit": "the end of a process",

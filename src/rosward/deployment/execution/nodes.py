@@ -33,8 +33,8 @@ from rosward.ros.validation import validate_namespace, validate_node_name
 if TYPE_CHECKING:
     from rosward.deployment.execution.ros_state import RosState
     from rosward.deployment.execution.scene import Scene
+    from rosward.location import Place
     from rosward.network.launch_tree import Inclusion
-    from rosward.source.location import Place
 
 _ROS_ARGS: Final = Const("--ros-args")
 _RULE: Final = Const("-r")

@@ -45,7 +45,7 @@ from rosward.naming.command_line import type_word
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 _RULE: Final = Const("-p")
 _FILE: Final = Const("--params-file")

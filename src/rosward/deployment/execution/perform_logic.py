@@ -20,7 +20,7 @@ from rosward.effects.variables import Variables
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Performing, Scene
     from rosward.deployment.tree import Substitution, Template
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 _WORDS: Final = ("true", "false", "1", "0")
 _YES: Final = ("true", "1", "yes", "on")

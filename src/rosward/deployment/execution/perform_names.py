@@ -21,7 +21,7 @@ from rosward.effects.shell import ORIGIN
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Performing, Scene
     from rosward.deployment.tree import Substitution
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 
 def with_origin(value: Value, origin: Origin) -> Value:

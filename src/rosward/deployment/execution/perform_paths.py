@@ -19,7 +19,7 @@ from rosward.models.python.std.paths import dirname, join_two, normal
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Performing, Scene
     from rosward.deployment.tree import Substitution
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 
 def folder(cause: Cause, package: Value, place: Place) -> Value:

@@ -18,7 +18,7 @@ from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value
 from rosward.effects.configuration import Given
-from rosward.source.location import Place
+from rosward.location import Place
 
 Pairs = Sequence[tuple[Value, Value]]
 Rows = tuple[Given, ...]

@@ -13,8 +13,8 @@ from __future__ import annotations
 from typing import Final, final
 
 from rosward.domain.values import Value
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 NO_LIST: Final = -1
 

@@ -22,8 +22,8 @@ from rosward.domain.unknown import Cause, Reason, causes_of
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.effects.shell import Shell
 from rosward.effects.variables import Variables
+from rosward.location import Place
 from rosward.ros.distro import Distro
-from rosward.source.location import Place
 
 _LONGEST: Final = 500_000
 

@@ -32,8 +32,8 @@ from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value
 from rosward.guard import guarded
+from rosward.location import Place
 from rosward.network.launch_tree import Inclusion
-from rosward.source.location import Place
 
 MAX_INCLUDES: Final = 40
 MAX_NESTING: Final = 90

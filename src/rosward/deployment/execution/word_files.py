@@ -22,7 +22,7 @@ from rosward.records import NamedTuple
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene
     from rosward.effects.configuration import Given
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 _FILE: Final = "--params-file"
 

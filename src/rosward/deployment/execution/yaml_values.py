@@ -20,10 +20,10 @@ from rosward.domain.text import concat, is_path, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origins, Reason
 from rosward.domain.values import Choice, Const, Hole, Text, Unknown, Value
 from rosward.holes import literal
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.ros.parameter_values import InvalidArgument, parse_value
 from rosward.source import limits
-from rosward.source.location import Place
 
 _MOST_ITEMS: Final = 10_000
 _MOST_BITS: Final = 4_096

@@ -25,8 +25,8 @@ from rosward.deployment.markup.values import Native, text_value
 from rosward.deployment.tree import Condition, Substitution, Template
 from rosward.domain.values import Const
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 _REFUSAL_LIMIT: Final = 500
 

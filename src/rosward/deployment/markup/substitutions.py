@@ -15,8 +15,8 @@ from typing import Final, final
 
 from rosward.deployment.tree import Substitution, Template
 from rosward.domain.values import Const, Value
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 UNKNOWN: Final = "unknown"
 """The kind of a substitution that launch does not know; its name is the argument."""

@@ -16,9 +16,9 @@ from rosward.deployment.markup.tags import read_description
 from rosward.deployment.markup.values import UnreadableMarkupError
 from rosward.deployment.tree import Description
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import limits
-from rosward.source.location import Place
 
 
 def read_xml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:

@@ -19,8 +19,8 @@ from rosward.deployment.markup.tags import read_description
 from rosward.deployment.markup.values import UnreadableMarkupError, Values, compose
 from rosward.deployment.tree import Description
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.source import limits
-from rosward.source.location import Place
 
 _MERGE: Final = "tag:yaml.org,2002:merge"
 

@@ -40,7 +40,7 @@ from rosward.deployment.tree import (
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.values import NONE, Class, Const, Ref, Value
-from rosward.source.location import Place
+from rosward.location import Place
 
 _DESCRIPTION: Final = "launch.launch_description.LaunchDescription"
 _UNCHANGED: Final = "launch.action.Unchanged"

@@ -35,7 +35,7 @@ from rosward.engine.running.frame import Frame
 from rosward.findings import Finding
 from rosward.frontends.registry import PYTHON
 from rosward.ir.ops import Op
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.performer import Performer

@@ -13,7 +13,7 @@ from rosward.domain.choice import lift
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, TRUE, Const, Unknown, Value
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.performer import Performer

@@ -26,8 +26,8 @@ from rosward.deployment.tree import (
 )
 from rosward.domain.choice import options
 from rosward.domain.values import NONE, Ref, Unknown, Value
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 _KINDS: Final = {
     "launch_ros.actions.LifecycleNode": NodeKind.LIFECYCLE,

@@ -16,9 +16,9 @@ from rosward.domain.heap import Alternatives
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.models.launch.natives import FIELD, REQUIRED, place_of
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter

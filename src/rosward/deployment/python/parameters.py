@@ -26,7 +26,7 @@ from rosward.deployment.tree import (
 from rosward.domain.choice import join, options
 from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.values import NONE, Const, Ref, Text, Unknown, Value
-from rosward.source.location import Place
+from rosward.location import Place
 
 _VALUE: Final = "launch_ros.parameter_descriptions.ParameterValue"
 _RULE: Final = "launch_ros.parameter_descriptions.Parameter"

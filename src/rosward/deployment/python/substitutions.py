@@ -14,8 +14,8 @@ from rosward.deployment.tree import Condition, Substitution, Template
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.values import NONE, Const, Ref, Text, Unknown, Value
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 _SUBSTITUTION: Final = "launch.substitution.Substitution"
 _CONDITION: Final = "launch.condition.Condition"

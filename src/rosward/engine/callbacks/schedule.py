@@ -30,7 +30,7 @@ from rosward.engine.unknown.escape import BY_BASE, BY_LIBRARY, BY_PYTHON, BY_WIN
 from rosward.findings import Finding, Findings
 from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import EntityEffect

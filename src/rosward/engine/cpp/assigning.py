@@ -42,7 +42,7 @@ from rosward.models.cpp.values.conversions import convert
 from rosward.models.cpp.values.copies import ASSIGN, copied, write
 from rosward.models.cpp.values.slots import plain_number, read
 from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
-from rosward.models.ros.message_fields import definition_of
+from rosward.models.message_fields import definition_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

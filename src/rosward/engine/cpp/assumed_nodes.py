@@ -17,7 +17,7 @@ from rosward.engine.cpp import construct, names
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp.facts import ADAPTED, ASSUMED_NODE, GENERIC, TYPED
-from rosward.models.ros.interfaces import is_interface
+from rosward.models.interfaces import is_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

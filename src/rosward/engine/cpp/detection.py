@@ -19,7 +19,7 @@ from rosward.engine.cpp.types import is_message
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.values.traits import NO_TYPE, SOME_TYPE
 from rosward.models.cpp.values.types import Shape, name_of, shape_of
-from rosward.models.ros.message_fields import has_field
+from rosward.models.message_fields import has_field
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -17,7 +17,7 @@ from rosward.ir.symbols import Scope, Symbol, Symbols
 if TYPE_CHECKING:
     from rosward.engine.cpp.guess import Guess
     from rosward.engine.machine import Engine
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 __all__ = ["INSTANCES", "Info", "Linked", "linked"]
 

@@ -18,7 +18,7 @@ from rosward.engine.cpp.linked import Info, Linked, linked
 from rosward.engine.cpp.types import dotted
 from rosward.ir.symbols import Scope, Symbol, SymbolKind
 from rosward.models.cpp.constants import known_member, known_name
-from rosward.models.ros.interfaces import message_name
+from rosward.models.interfaces import message_name
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:

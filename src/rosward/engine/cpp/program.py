@@ -22,7 +22,7 @@ from rosward.models.tables import cpp_natives
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
     from rosward.ir.symbols import Symbol, Symbols
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 __all__ = ["start_component", "start_main"]
 

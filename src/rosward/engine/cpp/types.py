@@ -21,7 +21,7 @@ from rosward.ir.symbols import TypePattern
 from rosward.models.cpp.values.characters import is_text
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.types import argument, name_of
-from rosward.models.ros.interfaces import message_name
+from rosward.models.interfaces import message_name
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

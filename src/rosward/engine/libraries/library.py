@@ -22,8 +22,8 @@ from rosward.engine.sources.remembered import Memory, memory_here
 from rosward.findings import Findings
 from rosward.ir import ops
 from rosward.ir.program import MODEL_PREFIX, Module
+from rosward.models.interfaces import message_name
 from rosward.models.native import NativeFunction
-from rosward.models.ros.interfaces import message_name
 from rosward.models.tables import Models
 from rosward.source.definitions import Definition
 from rosward.source.standard_library import STANDARD_LIBRARY

@@ -30,12 +30,12 @@ from rosward.findings import Finding, Findings
 from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import MODEL_PREFIX, Module
+from rosward.location import Place
 from rosward.models.facts import LibraryFacts, marked
 from rosward.models.native import NativeFunction
 from rosward.models.stub_marks import StubMarks, wrong_marks
 from rosward.models.tables import Models
 from rosward.source.definitions import Definition
-from rosward.source.location import Place
 
 __all__ = ["NOTHING", "PROCESS_ADDRESSES", "Constants", "ModelLibrary", "classes_of", "file_value"]
 

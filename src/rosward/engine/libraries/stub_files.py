@@ -16,8 +16,8 @@ from rosward.frontends.front_end import FrontendError
 from rosward.frontends.registry import front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import MODEL_PREFIX, Module
+from rosward.location import Place
 from rosward.source import disk, limits
-from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes
 
 STUBS: Final = Path(__file__).parent.parent.parent / "models" / "stubs"

@@ -47,9 +47,9 @@ from rosward.domain.values import (
 from rosward.effects.configuration import Given
 from rosward.ir import ops
 from rosward.ir.program import Code, CodeKind, Parameters
+from rosward.location import Place
 from rosward.models.native import Arguments
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 __all__ = ["Lines", "NotWrittenError", "Reader", "Writer"]
 

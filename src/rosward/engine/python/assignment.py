@@ -21,10 +21,10 @@ from rosward.engine.python.functions import record_of
 from rosward.engine.python.namespaces import slots_of
 from rosward.engine.python.removal import HOOKS, remove
 from rosward.engine.unknown.escape import name_of
+from rosward.models import message_fields
 from rosward.models.failures import fail
 from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
-from rosward.models.ros import message_fields
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

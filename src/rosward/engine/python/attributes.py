@@ -23,13 +23,13 @@ from rosward.engine.python.functions import kept_table, of_function, of_partial
 from rosward.engine.python.members import bind, classes_of, is_computed, lookup, of_native_class, type_name
 from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
+from rosward.models import message_fields
+from rosward.models.interfaces import INTERFACE_NAMES, interface_name
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.builtins.attributes import may_hide
 from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
 from rosward.models.python.std.annotations import of_class as annotated
 from rosward.models.readers import decisive
-from rosward.models.ros import message_fields
-from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -14,7 +14,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Unknown, Value
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -27,10 +27,10 @@ from rosward.engine.throwing import note, note_call
 from rosward.engine.unknown import declared, outside
 from rosward.engine.unknown.escape import escape, name_of
 from rosward.ir.ops import Argument
+from rosward.models.python.comparing.equal_objects import member_value
 from rosward.models.python.containers.dicts import is_mapping
 from rosward.models.python.contents import bare
 from rosward.models.python.exceptions import is_exception
-from rosward.models.python.operators.equal_objects import member_value
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -18,9 +18,9 @@ from rosward.engine.running.frame import Frame
 from rosward.engine.unknown.escape import BY_BASE, BY_WINDOW, name_of
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
+from rosward.location import Place
 from rosward.models.python.exceptions import builtin_base, own_class
 from rosward.models.readers import creates_nothing, decisive
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

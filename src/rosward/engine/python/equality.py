@@ -27,10 +27,10 @@ from rosward.domain.values import (
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import attributes, members, specials
 from rosward.engine.python.specials import one_has, special
+from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
+from rosward.models.python.comparing.equal_objects import compares
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
-from rosward.models.python.operators.equal_objects import compares
-from rosward.models.ros.interfaces import NO_INTERFACE, is_known_interface, same_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -25,12 +25,12 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.engine.python import members, metaclasses
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.python.specials import NOT_IMPLEMENTED
+from rosward.models.interfaces import is_known_interface, same_interface
 from rosward.models.python.asked import REGISTERED
 from rosward.models.python.builtins.attributes import has_attribute, of_python
 from rosward.models.python.containers.lists import ITERATOR, VIEW
 from rosward.models.python.plain import LOOSE_HINTS
 from rosward.models.python.std.annotations import WRITTEN_IN
-from rosward.models.ros.interfaces import is_known_interface, same_interface
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

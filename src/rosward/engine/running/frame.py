@@ -12,7 +12,7 @@ from rosward.domain.state import Merge, State, join_registers, join_states
 from rosward.domain.suspended import Point
 from rosward.domain.values import UNBOUND, Function, ModuleValue, Value
 from rosward.ir.program import Code
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import Execution

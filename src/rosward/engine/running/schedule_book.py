@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from rosward.domain.state import State
     from rosward.engine.running.frame import Frame
     from rosward.engine.running.scheduled import Scheduled, Wait
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 
 class Naming(NamedTuple):

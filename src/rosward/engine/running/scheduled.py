@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.state import State
     from rosward.engine.running.nodes_asked import Answered
-    from rosward.source.location import Place
+    from rosward.location import Place
 
 
 class Wait(NamedTuple):

@@ -7,7 +7,7 @@ from typing import final
 
 from rosward.domain.values import Value
 from rosward.ir.program import OpKey
-from rosward.source.location import Place
+from rosward.location import Place
 
 
 @final

@@ -20,7 +20,7 @@ from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, Final, TypeVar, final
 
 from rosward.ir.program import MODEL_PREFIX
-from rosward.models.ros.interfaces import message_name
+from rosward.models.interfaces import message_name
 from rosward.records import NamedTuple
 from rosward.rules import INTERNAL_ERROR, KILLED, TIME_LIMIT
 from rosward.source.yaml_documents import YamlDocuments

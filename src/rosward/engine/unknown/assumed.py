@@ -21,8 +21,8 @@ from rosward.domain.values import NONE, UNBOUND, Class, Function, Ref, Unknown, 
 from rosward.engine.arguments import ANY, MAYBE
 from rosward.engine.unknown import declared
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.models.python.plain import with_origins
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -17,7 +17,7 @@ from rosward.domain.compound import BoundMethod, External
 from rosward.domain.values import Class, Function, Ref, Unknown, Value
 from rosward.engine.unknown import named
 from rosward.engine.unknown.escape import BY_LIBRARY, BY_PYTHON
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -20,7 +20,7 @@ from rosward.domain.slots import Pointer
 from rosward.domain.state import element
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, Const, Ref, Text, Unknown, Value
-from rosward.models.ros import message_fields
+from rosward.models import message_fields
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.findings import Finding
 from rosward.frontends.cpp.prepared import Prepared
 from rosward.frontends.cpp.repaired import repaired
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import limits
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from tree_sitter import Node, Parser, Tree

@@ -19,7 +19,7 @@ from rosward.frontends.cpp.store import FileStore
 from rosward.frontends.cpp.suited import suited
 from rosward.frontends.cpp.tokens import NAME, open_brackets, tokens
 from rosward.frontends.cpp.unknown import without_unknown
-from rosward.source.location import Place
+from rosward.location import Place
 
 DEPTH: Final = 60
 """How deeply files may include each other, and conditions stand in each other."""

@@ -28,7 +28,7 @@ from rosward.ir.symbols import (
     TemplateParameter,
     TypePattern,
 )
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from tree_sitter import Node

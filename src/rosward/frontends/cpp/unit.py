@@ -16,7 +16,7 @@ from rosward.frontends.cpp.macros import Macros
 from rosward.frontends.cpp.prepared import Prepared
 from rosward.frontends.cpp.reading import DEPTH, Reading
 from rosward.frontends.cpp.store import FileStore
-from rosward.source.location import Place
+from rosward.location import Place
 
 _BUDGET: Final = 2_000_000
 """How many tokens macros may make in one unit, and what else takes long."""

@@ -31,8 +31,8 @@ from rosward.models.cpp.values.conversions import NULLOPT, is_empty_optional
 from rosward.models.cpp.values.slots import key_of, read
 from rosward.models.cpp.values.types import Shape, name_of, shape_of
 from rosward.models.native import Machine
+from rosward.models.python.comparing.compare import kind_of
 from rosward.models.python.operators import operators as python
-from rosward.models.python.operators.compare import kind_of
 from rosward.models.python.plain import from_python, operation, origins, spread, text_of, unknown_from
 
 __all__ = ["binary", "compare", "truth", "unary"]

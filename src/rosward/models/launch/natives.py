@@ -17,9 +17,9 @@ from rosward.domain.heap import Obj
 from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Ref, Unknown, Value
+from rosward.location import Place
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.paths import as_text
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.launch_context import LaunchContext

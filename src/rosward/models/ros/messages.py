@@ -12,9 +12,9 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.sent import SentEffect
+from rosward.models.interfaces import MessageName, message_name
+from rosward.models.message_fields import arrived
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.ros.interfaces import MessageName, message_name
-from rosward.models.ros.message_fields import arrived
 from rosward.naming.options import interface_type
 
 if TYPE_CHECKING:

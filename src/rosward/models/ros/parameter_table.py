@@ -24,8 +24,8 @@ from rosward.domain.unknown import COMPARED, OTHERS, OUTSIDE, Cause, Origin, Rea
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
+from rosward.models.python.comparing.compare import equal
 from rosward.models.python.containers import dicts
-from rosward.models.python.operators.compare import equal
 from rosward.models.python.plain import EXCEPTION_HINT
 
 if TYPE_CHECKING:

@@ -14,11 +14,11 @@ from rosward.findings import Finding
 from rosward.influence.declared import flows_of, unreleased
 from rosward.influence.graph import FlowGraph
 from rosward.influence.links import links_of
+from rosward.location import Place
 from rosward.outputs.documents.json_text import json_text
 from rosward.outputs.documents.rows import finding_row
 from rosward.ros.entities import Interface, Node
 from rosward.ros.flows import STRENGTHS, End, NodeCall, NodeSink
-from rosward.source.location import Place
 
 __all__ = ["flow_json"]
 

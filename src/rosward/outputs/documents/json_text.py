@@ -8,10 +8,10 @@ import math
 from collections.abc import Callable
 from typing import Any, Final
 
+from rosward.location import Place
 from rosward.outputs.documents.rows import place_row
 from rosward.ros.flows import End
 from rosward.safe import json_escaped
-from rosward.source.location import Place
 
 __all__ = ["json_text", "plain"]
 

@@ -12,13 +12,13 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Final
 
+from rosward.location import Place
 from rosward.network.asked import Asked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.outputs.documents.json_text import json_text
 from rosward.outputs.documents.rows import finding_row, header, place_row
 from rosward.outputs.writing import File, Material
 from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Parameter
-from rosward.source.location import Place
 
 __all__ = ["SCHEMA_VERSION", "files", "network_json"]
 

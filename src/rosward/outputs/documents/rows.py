@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from rosward._version import __version__
 from rosward.findings import Finding
-from rosward.source.location import Place
+from rosward.location import Place
 
 __all__ = ["finding_row", "header", "place_row"]
 

@@ -25,7 +25,7 @@ from rosward.network.graph import Network
 from rosward.outputs.graphs.dot import drawing
 from rosward.outputs.graphs.dot_language import UNKNOWN, Drawing
 from rosward.outputs.graphs.dot_summary import summaries
-from rosward.outputs.graphs.pictures import Pictures
+from rosward.outputs.pictures import Pictures
 from rosward.outputs.writing import File, Material
 from rosward.safe import xml_text
 from rosward.source import disk

@@ -11,12 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 
+from rosward.location import Place
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.network.launch_tree import CONTAINER
 from rosward.ros.entities import Node
 from rosward.safe import printable
-from rosward.source.location import Place
 
 _HEAD = """\
 # The enclave of each process, and how to start it there. Without --enclave, a process runs in / with the permissions of /.

@@ -17,11 +17,11 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Final, TypeVar, final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.enclaves import enclave_paths
 from rosward.outputs.report.numbered import Member, Numbered, NumberedEnd, NumberedEndpoint
 from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
-from rosward.source.location import Place
 
 __all__ = ["Belongings"]
 

@@ -15,6 +15,7 @@ from typing import Final
 from rosward._version import __version__
 from rosward.explanation.provenance import Start, Starts
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import with_findings
 from rosward.network.counts import Count, counts_of
@@ -22,8 +23,8 @@ from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchEntry
 from rosward.network.loose_ends import loose_ends
 from rosward.one_cause import alike
+from rosward.outputs.background import Background
 from rosward.outputs.documents.rows import place_row
-from rosward.outputs.report.background import Background
 from rosward.outputs.report.belongs import Belongings
 from rosward.outputs.report.endpoints import endpoint_rows
 from rosward.outputs.report.flows import NO_FLOWS, flows
@@ -34,7 +35,6 @@ from rosward.outputs.report.rights import rights
 from rosward.outputs.report.source_lines import SourceLines, source_lines
 from rosward.records import NamedTuple
 from rosward.rules import Severity
-from rosward.source.location import Place
 
 __all__ = ["VERSION", "report_document"]
 

@@ -16,9 +16,9 @@ from typing import Final, NamedTuple, final
 
 from rosward.influence.declared import flows_of
 from rosward.influence.graph import FlowGraph, Vertex, arrived, graph_of, sent
+from rosward.location import Place
 from rosward.outputs.report.numbered import Member, Numbered
 from rosward.ros.flows import STRENGTHS, End, NodeSink
-from rosward.source.location import Place
 
 __all__ = ["NO_FLOWS", "Flows", "flows"]
 

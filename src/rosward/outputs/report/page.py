@@ -18,9 +18,9 @@ from typing import Final
 from rosward.network.checks import UnknownNames
 from rosward.network.counts import counts_of
 from rosward.network.graph import Network
-from rosward.outputs.graphs.pictures import Pictures
+from rosward.outputs.background import Background
 from rosward.outputs.graphs.svg import graph_svg
-from rosward.outputs.report.background import Background
+from rosward.outputs.pictures import Pictures
 from rosward.outputs.report.document import report_document
 from rosward.outputs.report.packed import packed
 from rosward.outputs.report.slots import filled

@@ -12,8 +12,8 @@ import math
 from collections.abc import Iterable
 from typing import Final
 
+from rosward.location import Place
 from rosward.safe import printable
-from rosward.source.location import Place
 
 __all__ = ["harmless", "place_rows", "value_row"]
 

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Final
 
 from rosward.explanation.excerpts import Excerpts
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 __all__ = ["SourceLines", "source_lines"]
 

@@ -18,11 +18,11 @@ from rosward.influence.private import Leaving, Privacy
 from rosward.influence.search import Passing, Reached, in_order, way_to
 from rosward.influence.senders import Influencing
 from rosward.influence.tree import Step, Tree
+from rosward.location import Place
 from rosward.network.counts import several
 from rosward.ros.entities import Interface, Node
 from rosward.ros.flows import End, NodeCall, NodeSink
 from rosward.safe import printable
-from rosward.source.location import Place
 
 __all__ = [
     "enclaves_text",

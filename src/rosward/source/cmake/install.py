@@ -14,8 +14,8 @@ import itertools
 import os
 from typing import Final, final
 
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 from rosward.source.workspace import Shared, TargetKind
 
 _INSTALL_WORDS: Final = frozenset(

@@ -16,6 +16,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import disk
 from rosward.source.boundary import EVERYWHERE, Boundary
@@ -24,7 +25,6 @@ from rosward.source.cmake.interpreter import Interpreter
 from rosward.source.cmake.reader import Handler
 from rosward.source.cmake.text import Command
 from rosward.source.entry_points import EntryPoint, read_setup_cfg
-from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.workspace import GeneratedModule
 

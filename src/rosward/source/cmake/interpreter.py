@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Final, final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import disk, limits
 from rosward.source.boundary import Boundary
@@ -30,7 +31,6 @@ from rosward.source.cmake.lists import COMPUTATIONS, change_list, loop_items
 from rosward.source.cmake.reader import Reader
 from rosward.source.cmake.text import Command, parse_cmake
 from rosward.source.cmake.variables import HOLE, Variables
-from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
 
 _STEP_LIMIT: Final = 50_000

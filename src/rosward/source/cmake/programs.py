@@ -15,6 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Final, final
 
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import disk, limits
 from rosward.source.boundary import Boundary
@@ -22,7 +23,6 @@ from rosward.source.cmake.build import read_build
 from rosward.source.cmake.compile_commands import CompileCommands, read_compile_commands
 from rosward.source.cmake.targets import Build, Built, Definition, Made
 from rosward.source.cmake.text import parse_cmake
-from rosward.source.location import Place
 from rosward.source.text import read_bytes
 from rosward.source.walk import CPP_SOURCES
 from rosward.source.workspace import Package, Workspace

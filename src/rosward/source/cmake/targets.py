@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 from typing import final
 
 from rosward.findings import Finding
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source.cmake.variables import HOLE
-from rosward.source.location import Place
 
 
 class Made(enum.Enum):

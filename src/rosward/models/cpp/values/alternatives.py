@@ -14,7 +14,7 @@ from rosward.models.cpp.values.boxes import is_open, unboxed
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.types import Shape, argument, hint_of, shape_of
 from rosward.models.native import Machine
-from rosward.models.python.operators.compare import kind_of
+from rosward.models.python.comparing.compare import kind_of
 
 __all__ = ["is_of_type"]
 

@@ -20,7 +20,7 @@ from rosward.models.asked_order import by_asking
 from rosward.models.cpp.values.slots import is_structure, unfolded
 from rosward.models.cpp.values.types import argument, name_of
 from rosward.models.native import Machine
-from rosward.models.python.operators.compare import equal
+from rosward.models.python.comparing.compare import equal
 from rosward.models.python.plain import NOT_PLAIN, plain
 
 __all__ = ["MOST_ASKED", "foremost", "in_order", "is_asked", "own_key", "same_key", "unique", "without_comparison"]

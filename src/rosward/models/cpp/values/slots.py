@@ -18,13 +18,13 @@ from rosward.domain.heap import Obj
 from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Value
+from rosward.models import message_fields
 from rosward.models.cpp.values.typed import unknown_sequence
 from rosward.models.cpp.values.types import is_reference
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.operators import items as python_items
 from rosward.models.python.plain import int_of, text_of, unknown_from
-from rosward.models.ros import message_fields
 from rosward.models.ros.parameter_table import in_place
 
 __all__ = [

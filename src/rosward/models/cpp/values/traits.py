@@ -15,8 +15,8 @@ from rosward.domain.compound import External
 from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import TRUE, Choice, Class, Const, Unknown, Value
+from rosward.location import Place
 from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
-from rosward.source.location import Place
 
 __all__ = ["NO_TYPE", "SOME_TYPE", "TRAITS"]
 

@@ -19,8 +19,8 @@ from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import derived
 from rosward.domain.values import Const, Ref, Unknown, Value
 from rosward.models.cpp.values.types import Shape, argument, hint_of, shape_of
+from rosward.models.interfaces import message_name
 from rosward.models.native import Machine
-from rosward.models.ros.interfaces import message_name
 from rosward.records import NamedTuple
 from rosward.source.definitions import Field
 

@@ -14,11 +14,11 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Range, Tuple
 from rosward.domain.text import matches
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Text, Value
+from rosward.models.message_fields import has_field
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.attribute_tables import TABLE, own_attribute
-from rosward.models.python.operators.compare import kind_of
+from rosward.models.python.comparing.compare import kind_of
 from rosward.models.python.plain import Raised, native, origins, spread, text_of, unknown_from, with_origins
-from rosward.models.ros.message_fields import has_field
 
 MAX_MATCHES: Final = 64
 ANY_ATTRIBUTE: Final = "*"

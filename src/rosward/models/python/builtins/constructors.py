@@ -24,14 +24,15 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
+from rosward.models.interfaces import is_known_interface
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.builtins.attributes import has_attribute
+from rosward.models.python.comparing.compare import kind_of
+from rosward.models.python.comparing.equal_objects import member_value
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
 from rosward.models.python.containers.lists import ITERATOR, VIEW, new_tuple
 from rosward.models.python.containers.sets import new_set
-from rosward.models.python.operators.compare import kind_of
-from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,
@@ -48,7 +49,6 @@ from rosward.models.python.plain import (
     unknown_from,
 )
 from rosward.models.python.strings.formatting import to_str
-from rosward.models.ros.interfaces import is_known_interface
 
 _NUMBERS: Final[dict[str, Callable[..., object]]] = {"int": int, "float": float, "complex": complex}
 

@@ -17,10 +17,10 @@ from rosward.models.native import Items, Machine, MissingArgumentError, NativeCa
 from rosward.models.python.asked import is_own
 from rosward.models.python.builtins.attributes import has_attribute
 from rosward.models.python.builtins.lazy import acts, lazily, shared, stepped
+from rosward.models.python.comparing.compare import comparable
+from rosward.models.python.comparing.equal_objects import member_value
 from rosward.models.python.containers.lists import ITERATOR, order, write_series
 from rosward.models.python.containers.views import renewed
-from rosward.models.python.operators.compare import comparable
-from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,

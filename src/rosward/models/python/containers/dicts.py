@@ -16,12 +16,12 @@ from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
+from rosward.models.interfaces import is_of_interfaces, public_name
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.python.comparing.compare import equal
+from rosward.models.python.comparing.equal_objects import compares, member_value, row_of
 from rosward.models.python.contents import bare, plain_data
-from rosward.models.python.operators.compare import equal
-from rosward.models.python.operators.equal_objects import compares, member_value, row_of
 from rosward.models.python.plain import Raised, all_of, key_shown, native, origins, unknown_from, with_origins
-from rosward.models.ros.interfaces import is_of_interfaces, public_name
 from rosward.records import NamedTuple
 
 MAX_ENTRIES: Final = 2_000

@@ -18,9 +18,9 @@ from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Value
 from rosward.models.asked_order import by_asking
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.python.comparing.compare import comparable, equal
+from rosward.models.python.comparing.equal_objects import compares
 from rosward.models.python.containers.list_alternatives import Told, elements_apart, keep_told
-from rosward.models.python.operators.compare import comparable, equal
-from rosward.models.python.operators.equal_objects import compares
 from rosward.models.python.plain import (
     MAX_ITEMS,
     NOT_PLAIN,

@@ -14,9 +14,9 @@ from rosward.domain.compound import Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.python.comparing.equal_objects import compares, member_value, row_of
 from rosward.models.python.containers.dicts import key_of
 from rosward.models.python.containers.lists import add_to_rest, element, write
-from rosward.models.python.operators.equal_objects import compares, member_value, row_of
 from rosward.models.python.plain import Raised, key_shown, listed, native, unknown_from
 
 FROZEN: Final = Native("builtins.frozenset")

@@ -15,9 +15,9 @@ from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.values import Const, Ref, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.python.comparing.compare import VIEWED
 from rosward.models.python.containers.dicts import keys, pairs, receiver, values
 from rosward.models.python.containers.lists import VIEW, write_series
-from rosward.models.python.operators.compare import VIEWED
 from rosward.models.python.plain import all_of, listed, native, unknown_from
 
 

@@ -16,10 +16,10 @@ from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import derived
 from rosward.domain.values import NONE, Choice, Const, Ref, Text, Unknown, Value
 from rosward.models.native import Machine
+from rosward.models.python.comparing.compare import kind_of
+from rosward.models.python.comparing.equal_objects import member_value
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.lists import add_to_rest, write, write_series
-from rosward.models.python.operators.compare import kind_of
-from rosward.models.python.operators.equal_objects import member_value
 from rosward.models.python.plain import (
     Fresh,
     Raised,

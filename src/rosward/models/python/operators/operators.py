@@ -20,11 +20,11 @@ from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import Choice, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import Items, Machine
+from rosward.models.python.comparing.compare import compare, contains, equal, kind_of
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
 from rosward.models.python.containers.sets import FROZEN, combine, distinct
 from rosward.models.python.containers.views import renewed
-from rosward.models.python.operators.compare import compare, contains, equal, kind_of
 from rosward.models.python.operators.items import load_item, store_item
 from rosward.models.python.plain import (
     MAX_ITEMS,

@@ -16,10 +16,10 @@ from rosward.domain.choice import lift
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial, Tuple
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
+from rosward.models.interfaces import is_known_interface
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.records import annotations_of
 from rosward.models.python.std.support import class_obj
-from rosward.models.ros.interfaces import is_known_interface
 
 WRITTEN_IN: Final = "_rosward_module"
 """Where a class with annotations keeps the module in which it is written."""

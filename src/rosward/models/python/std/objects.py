@@ -16,12 +16,12 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Tupl
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
+from rosward.models.interfaces import is_known_interface
+from rosward.models.message_fields import made_all
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import CONTENTS, contents
 from rosward.models.python.plain import EXCEPTION_HINT
 from rosward.models.python.std.support import class_obj, joined_elements, unknown_from
-from rosward.models.ros.interfaces import is_known_interface
-from rosward.models.ros.message_fields import made_all
 
 _COPIED: Final = frozenset({"list", "set", "dict", "instance"})
 _MAX_DEPTH: Final = 40

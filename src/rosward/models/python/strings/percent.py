@@ -15,7 +15,7 @@ from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.values import UNBOUND, Const, Hole, Ref, Text, Unknown, Value
 from rosward.models.native import Machine
-from rosward.models.python.operators.equal_objects import member_value
+from rosward.models.python.comparing.equal_objects import member_value
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,

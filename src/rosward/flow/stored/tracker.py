@@ -13,14 +13,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Set
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.flow.sinks import DEEP
+from rosward.flow.stored.sinks import DEEP
 
 if TYPE_CHECKING:
     from rosward.effects.flows import Sink
-    from rosward.flow.content import Content, Layer
     from rosward.flow.marks import Root
-    from rosward.flow.sinks import Chain
-    from rosward.flow.store import Store
+    from rosward.flow.stored.content import Content, Layer
+    from rosward.flow.stored.sinks import Chain
+    from rosward.flow.stored.store import Store
 
 _MOST_SENT: Final = 256
 """So many sinks and ways to them are told apart in a body."""

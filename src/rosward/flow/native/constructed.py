@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
 from rosward.domain.values import Class
-from rosward.flow import partials
 from rosward.flow.marks import Mark, Root
-from rosward.flow.native_call import NativeCall
+from rosward.flow.native import partials
+from rosward.flow.native.native_call import NativeCall
 
 if TYPE_CHECKING:
     from rosward.engine.running.seen import Seen
     from rosward.flow.body import Body
-    from rosward.flow.memory import Memory
+    from rosward.flow.stored.memory import Memory
     from rosward.flow.walker import Walker
     from rosward.ir import ops
 

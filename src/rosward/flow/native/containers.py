@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.native_call import NativeCall
+from rosward.flow.native.native_call import NativeCall
 from rosward.flow.reading import elements, opaque
+from rosward.flow.stored.content import Content
 
 if TYPE_CHECKING:
     pass

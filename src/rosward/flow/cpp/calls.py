@@ -17,7 +17,7 @@ from rosward.engine.running.seen import Activation, Bound, Seen
 from rosward.flow import library
 from rosward.flow.body import Body
 from rosward.flow.calls import KINDS, send
-from rosward.flow.cpp_values import (
+from rosward.flow.cpp.values import (
     nameless,
     slots,
     value,

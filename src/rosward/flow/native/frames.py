@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, name_of
+from rosward.flow.stored.content import Content
 
 if TYPE_CHECKING:
     from rosward.flow.body import Body
-    from rosward.flow.native_call import NativeCall
+    from rosward.flow.native.native_call import NativeCall
     from rosward.flow.walker import Walker
 
 _FRAME: Final = "types.FrameType"

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class
 from rosward.engine.running.seen import Seen, refs_of
-from rosward.flow import cpp_making, cpp_outside, straight
+from rosward.flow import straight
 from rosward.flow.body import Body
-from rosward.flow.content import Content
-from rosward.flow.cpp_acts import acts, is_busy
-from rosward.flow.cpp_values import (
+from rosward.flow.cpp import making, outside
+from rosward.flow.cpp.acts import acts, is_busy
+from rosward.flow.cpp.values import (
     copied,
     field,
     keys,
@@ -32,6 +32,7 @@ from rosward.flow.library import perform, stop
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, name_of, of_library, slot_of
 from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
+from rosward.flow.stored.content import Content
 from rosward.ir import cpp, ops
 from rosward.ir.registers import reads
 from rosward.models.cpp.values.shared_storage import overlapping
@@ -300,7 +301,7 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     """`stream << value` among others."""
     left, right = body.registers[op.left], body.registers[op.right]
     held, other = value(walker, left), value(walker, right)
-    kind = cpp_outside.stream(walker, held)
+    kind = outside.stream(walker, held)
     mask = walker.memory.deep(other) | body.pc
     if op.operator == "<<" and kind:
         if kind != "text":
@@ -321,7 +322,7 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
         body.registers[op.dst] = settled(walker, mark.joined(held).joined(other), seen, body)
         return
     if seen.wrote:
-        cpp_outside.natives(walker, body, seen, [left, right])
+        outside.natives(walker, body, seen, [left, right])
     if op.operator in ("<<", ">>", ",") and seen.reasons:  # an operator that nobody knows
         for name in _methods(walker, left, f"operator{op.operator}", seen):
             mask |= perform(walker, name, mask, body.pc)
@@ -349,7 +350,7 @@ def _computed(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
 
 
 TABLE: Final[dict[type[ops.Op], Any]] = {
-    **cpp_making.TABLE,
+    **making.TABLE,
     **dict.fromkeys((cpp.MakeType, cpp.Declared, cpp.LocalSymbol, cpp.UnknownValue), _known),
     cpp.Name: _name,
     cpp.TypeOfValue: _type_of_value,

@@ -12,13 +12,13 @@ from itertools import chain
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.flow.marks import Root, behind
-from rosward.flow.memory import Memory
-from rosward.flow.tracker import differing
+from rosward.flow.stored.memory import Memory
+from rosward.flow.stored.tracker import differing
 
 if TYPE_CHECKING:
-    from rosward.flow.remembered import Remembered
-    from rosward.flow.shape import Shape
-    from rosward.flow.tracker import Keys
+    from rosward.flow.stored.remembered import Remembered
+    from rosward.flow.stored.shape import Shape
+    from rosward.flow.stored.tracker import Keys
 
 _MOST_STATES: Final = 32
 """So many states are kept, the last ones."""

@@ -17,8 +17,8 @@ from itertools import chain
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.flow.marks import numbers
+from rosward.location import Place
 from rosward.records import NamedTuple
-from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.flows import Sink, Source

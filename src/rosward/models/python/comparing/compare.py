@@ -21,8 +21,9 @@ from rosward.domain.text import matches, parts_of
 from rosward.domain.unknown import Origins
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN
+from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
 from rosward.models.native import Machine
-from rosward.models.python.operators.equal_objects import has_equality, member_value, row_of
+from rosward.models.python.comparing.equal_objects import has_equality, member_value, row_of
 from rosward.models.python.plain import (
     LOOSE_HINTS,
     NOT_PLAIN,
@@ -37,7 +38,6 @@ from rosward.models.python.plain import (
     text_of,
     unknown_from,
 )
-from rosward.models.ros.interfaces import NO_INTERFACE, is_known_interface, same_interface
 
 MAX_DEPTH: Final = 6
 MAX_COMPARED: Final = 2_000

@@ -12,13 +12,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from typing import final
 
-from rosward.flow.content import EMPTY, Content, Layer, both
 from rosward.flow.marks import FUNCTIONS, Mark, Root, is_slot, part_of, slot_of
-from rosward.flow.remembered import Written
-from rosward.flow.shape import Shape
-from rosward.flow.standing import Standing
-from rosward.flow.store import MASK, SHIFT, Covered, Differing
-from rosward.flow.tracker import KeySets, Tracker, differing
+from rosward.flow.stored.content import EMPTY, Content, Layer, both
+from rosward.flow.stored.remembered import Written
+from rosward.flow.stored.shape import Shape
+from rosward.flow.stored.standing import Standing
+from rosward.flow.stored.store import MASK, SHIFT, Covered, Differing
+from rosward.flow.stored.tracker import KeySets, Tracker, differing
 
 
 @final

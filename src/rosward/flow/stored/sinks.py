@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.effects.flows import Call, Sink, Source
-from rosward.source.location import Place
+from rosward.location import Place
 
 if TYPE_CHECKING:
     from rosward.flow.marks import Sources

@@ -16,9 +16,9 @@ from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.engine.running.seen import Activation
-    from rosward.flow.content import Content, Layer
     from rosward.flow.marks import Mark, Root
-    from rosward.flow.tracker import Keys, Tracker
+    from rosward.flow.stored.content import Content, Layer
+    from rosward.flow.stored.tracker import Keys, Tracker
 
 MOST: Final = {PYTHON: 6, CPP: 2}
 """So many calls of one activation are remembered, the last ones, by the language. In C++ each reads very much."""

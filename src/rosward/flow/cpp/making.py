@@ -12,11 +12,10 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.values import NONE, Ref, Value
 from rosward.engine.running.seen import Bound, Seen, refs_of
-from rosward.flow import cpp_calls, cpp_outside
 from rosward.flow.body import Body
-from rosward.flow.content import Content
-from rosward.flow.cpp_acts import acts, is_busy
-from rosward.flow.cpp_values import (
+from rosward.flow.cpp import calls, outside
+from rosward.flow.cpp.acts import acts, is_busy
+from rosward.flow.cpp.values import (
     consists_of,
     copied,
     copies,
@@ -35,6 +34,7 @@ from rosward.flow.cpp_values import (
     write,
 )
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot
+from rosward.flow.stored.content import Content
 from rosward.ir import cpp, ops
 from rosward.ir.registers import reads
 
@@ -66,7 +66,7 @@ def _construct(walker: Walker, op: cpp.Construct, body: Body, seen: Seen) -> Non
     if not seen.natives:
         written = _aggregate(walker, op, seen, places, marks)
         if written and seen.callees:
-            cpp_calls.defaults(walker, seen, found, body.pc, written)
+            calls.defaults(walker, seen, found, body.pc, written)
     if places:
         decides = given is not None and not seen.bound  # what a constructor is given is in the object, and chooses none
         mask = body.pc | (demoted(given.mask) if given is not None and decides else 0)
@@ -158,10 +158,10 @@ def _initialise(walker: Walker, op: cpp.Initialise, body: Body, seen: Seen) -> b
         _one_member(walker, body, seen, member, this, known, done)
     if not copied_yet:
         copies(walker, seen, everything)
-    cpp_calls.callees(walker, body, seen, everything, certain=True, done=done)
-    cpp_outside.natives(walker, body, seen, [everything])
-    cpp_outside.strange(walker, op.number, body, seen, [everything])
-    cpp_calls.register(walker, body, seen, everything)
+    calls.callees(walker, body, seen, everything, certain=True, done=done)
+    outside.natives(walker, body, seen, [everything])
+    outside.strange(walker, op.number, body, seen, [everything])
+    calls.register(walker, body, seen, everything)
     return None
 
 
@@ -192,7 +192,7 @@ def _one_member(
     everything = NOTHING
     for mark in known.values():
         everything = everything.joined(mark)
-    given = cpp_calls.callees(walker, body, seen, everything, registers=known, certain=True, only=mine, done=done)
+    given = calls.callees(walker, body, seen, everything, registers=known, certain=True, only=mine, done=done)
     if not is_field or (given is not None and fields):
         return
     found = NOTHING

@@ -14,9 +14,9 @@ from rosward.engine.python.implicit import FOLLOWED
 from rosward.engine.running.seen import Activation, refs_of
 from rosward.flow.marks import Root, unrolled
 from rosward.flow.said import marks_of, told_by
-from rosward.flow.store import Numbers
-from rosward.flow.tracker import Tracker
-from rosward.flow.trail import Trail
+from rosward.flow.stored.store import Numbers
+from rosward.flow.stored.tracker import Tracker
+from rosward.flow.stored.trail import Trail
 from rosward.models.python.containers.lists import ITERATOR
 
 if TYPE_CHECKING:

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.values import Ref, Value
 from rosward.engine.running.seen import refs_of
-from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.reading import arising
+from rosward.flow.stored.content import Content
 from rosward.models.cpp.values.typed import MESSAGE
 
 if TYPE_CHECKING:

@@ -16,17 +16,18 @@ from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.arguments import ANY, LOOSE, ORDER
 from rosward.engine.running.seen import refs_of
-from rosward.flow import containers, frames, implicit, library, parameters, partials
-from rosward.flow.constructed import attributes, fill
-from rosward.flow.content import Content
+from rosward.flow import implicit, library
 from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, decided, demoted, of_library
-from rosward.flow.native_call import NativeCall
+from rosward.flow.native import containers, frames, parameters, partials
+from rosward.flow.native.constructed import attributes, fill
+from rosward.flow.native.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, of_classes, owners_of
 from rosward.flow.site import callees
+from rosward.flow.stored.content import Content
 from rosward.ir import ops
 from rosward.ir.ops import Call
-from rosward.models.ros.interfaces import message_name
+from rosward.models.interfaces import message_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

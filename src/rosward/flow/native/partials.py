@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.reading import elements
+from rosward.flow.stored.content import Content
 
 if TYPE_CHECKING:
-    from rosward.flow.native_call import NativeCall
+    from rosward.flow.native.native_call import NativeCall
     from rosward.flow.walker import Walker
 
 _NAME: Final = "functools.partial"

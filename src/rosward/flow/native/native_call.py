@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, final
 
-from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import constant
+from rosward.flow.stored.content import Content
 
 if TYPE_CHECKING:
     from rosward.engine.running.seen import Seen

@@ -16,8 +16,8 @@ from itertools import compress
 from operator import is_not
 from typing import Final, final
 
-from rosward.flow.content import EMPTY, Content, both
 from rosward.flow.marks import Mark, Root, name_of
+from rosward.flow.stored.content import EMPTY, Content, both
 from rosward.records import NamedTuple
 
 Page = list[Content | None]

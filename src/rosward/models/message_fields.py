@@ -21,7 +21,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.table import marked
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Const, Ref, Unknown, Value
-from rosward.models.ros.interfaces import message_name
+from rosward.models.interfaces import message_name
 from rosward.source.definitions import FLOATS, INTEGERS, TEXTS, Definition, Field
 
 if TYPE_CHECKING:

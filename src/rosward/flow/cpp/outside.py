@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING, Final, TypeGuard
 
 from rosward.effects.flows import Source
 from rosward.engine.running.seen import Seen
-from rosward.flow import library, parameters
+from rosward.flow import library
 from rosward.flow.body import Body
-from rosward.flow.content import Content
-from rosward.flow.cpp_values import (
+from rosward.flow.cpp.values import (
     keys,
     nameless,
     slots,
@@ -22,8 +21,10 @@ from rosward.flow.cpp_values import (
 )
 from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES, STREAMS
 from rosward.flow.marks import HANDLED, NOTHING, Mark, Root, demoted, is_slot, slot_of
+from rosward.flow.native import parameters
 from rosward.flow.outside import cleaned, out
 from rosward.flow.reading import arising
+from rosward.flow.stored.content import Content
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker

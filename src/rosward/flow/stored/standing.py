@@ -11,11 +11,11 @@ from collections.abc import Collection, Iterable, Iterator
 from itertools import islice
 from typing import TYPE_CHECKING, Final
 
-from rosward.flow.content import EMPTY, Content, Layer, TooLongError
 from rosward.flow.marks import NOTHING, Mark, Root, behind, is_slot, part_of, slot_of
-from rosward.flow.remembered import Looked
-from rosward.flow.shape import Shape
-from rosward.flow.store import MASK, MELTED, SHIFT, Store
+from rosward.flow.stored.content import EMPTY, Content, Layer, TooLongError
+from rosward.flow.stored.remembered import Looked
+from rosward.flow.stored.shape import Shape
+from rosward.flow.stored.store import MASK, MELTED, SHIFT, Store
 
 if TYPE_CHECKING:
     from typing_extensions import Self

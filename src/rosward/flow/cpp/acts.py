@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.engine.running.seen import Seen
-from rosward.flow import cpp_calls, cpp_outside
 from rosward.flow.body import Body
-from rosward.flow.cpp_values import (
+from rosward.flow.cpp import calls, outside
+from rosward.flow.cpp.values import (
     copies,
     sources,
 )
@@ -42,21 +42,21 @@ def acts(
     keys = tuple([constant(seen, a.register) for a in op.arguments]) if isinstance(op, cpp.Invoke) else ()
     if seen.made:
         copies(walker, seen, everything)
-    result = cpp_calls.callees(walker, body, seen, everything, pc=pc, certain=certain)
+    result = calls.callees(walker, body, seen, everything, pc=pc, certain=certain)
     if result is not None and sources(seen):
         given = Mark(0, frozenset(p for b in seen.bound.values() for g in b.given for p in g.places))
         copies(walker, seen, everything, but=frozenset(walker.memory.reached(given)))
-    cpp_calls.sends(walker, body, seen, marks)
+    calls.sends(walker, body, seen, marks)
     passed = (
         marks if result is None else [*marks, result]
     )  # a model writes what it is given, and what callables give it
     for done in (
-        cpp_outside.natives(walker, body, seen, passed, keys),
-        cpp_outside.strange(walker, op.number, body, seen, marks, called),
+        outside.natives(walker, body, seen, passed, keys),
+        outside.strange(walker, op.number, body, seen, marks, called),
     ):
         if done is not None:
             result = done if result is None else result.joined(done)
-    cpp_calls.register(walker, body, seen, everything)
+    calls.register(walker, body, seen, everything)
     if any(n in _SPINS for n in seen.natives):
         walker.join_beside()
     elif walker.threaded and any(map(waits, (*seen.natives, *seen.strange))):
