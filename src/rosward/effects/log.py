@@ -196,12 +196,18 @@ class EffectLog:
             state.done |= {key}
             state.version = machine.fresh_version()
 
-    def tell_all_failed(self, first: int) -> None:
-        """Each of several alternatives has failed: what was doubtful of them, from the first of these on, is sure."""
-        for address, finding in self.doubtful[first:]:
+    @property
+    def open_doubts(self) -> int:
+        """So many failures of single alternatives are not settled."""
+        return len(self.doubtful)
+
+    def settle_doubts(self, first: int, *, sure: bool) -> None:
+        """The doubts from the `first` on: each alternative has failed, so they are `sure`; else another goes on, and they are dropped."""
+        for address, finding in self.doubtful[first:] if sure else ():
             self.failures.setdefault(address, Findings()).add(finding)
             if address in self.uncaught:
                 self.findings.add(finding)
+        del self.doubtful[first:]
 
     def tell_spun(self) -> None:
         """The program spins a node that is not known, and makes none: whose node it is nobody can tell."""

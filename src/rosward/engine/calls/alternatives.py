@@ -32,29 +32,26 @@ def each_apart(machine: Engine, alternatives: Sequence[T], action: Callable[[T],
     value: Value = UNBOUND
     frame = machine.frames[-1] if machine.frames else None
     sequence: int | None = None
-    doubtful, failed = machine.log.doubtful, 0
-    first = len(doubtful)
+    doubts, failed = machine.log.open_doubts, 0
     for number, option in enumerate(alternatives):
         if number:
             machine.state = before.copy()
         if frame is not None and number >= _TOLD_APART:
             frame.sequence = sequence = frame.sequence if sequence is None else sequence
-        so_far = len(doubtful)
+        so_far = machine.log.open_doubts
         machine.precision.apart += 1
         try:
             result = action(option)
         finally:
             machine.precision.apart -= 1
         if result is UNBOUND:
-            failed += len(doubtful) > so_far
+            failed += machine.log.open_doubts > so_far
             continue
         value = join(value, result)
         after = machine.state if after is None else join_states(after, machine.state, machine.fresh_version)
     if after is not None:
         machine.state = after
-    if failed < len(alternatives):
-        del doubtful[first:]
-    elif not machine.precision.apart:
-        machine.log.tell_all_failed(first)
-        del doubtful[first:]
+    all_failed = failed == len(alternatives)
+    if not (all_failed and machine.precision.apart):  # else what is around it decides
+        machine.log.settle_doubts(doubts, sure=all_failed)
     return value

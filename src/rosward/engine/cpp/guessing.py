@@ -72,7 +72,7 @@ def each(machine: Engine, name: str, chosen: Sequence[Function], args: Arguments
 def _turn(machine: Engine, guess: Guess, before: State) -> None:
     """Run all of the functions once. The machine's state is left as it is."""
     here, frame, outer = machine.state, machine.frames[-1], machine.catchers
-    sequence, doubtful = frame.sequence, len(machine.log.doubtful)
+    sequence, doubts = frame.sequence, machine.log.open_doubts
     machine.catchers = [*outer, guess.catcher]
     machine.precision.apart += 1
     try:
@@ -89,7 +89,7 @@ def _turn(machine: Engine, guess: Guess, before: State) -> None:
             guess.after = state if after is None else join_states(after, state, machine.fresh_version, guess.merge)
     finally:
         machine.precision.apart -= 1
-        del machine.log.doubtful[doubtful:]
+        machine.log.settle_doubts(doubts, sure=False)
         machine.catchers = outer
         machine.state = here
 
