@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One process after another: each is followed in haste at first, and anew where something may depend on that; or remembered.
+"""One process after another: each in Python is followed in haste at first, and anew where something may depend on that; or remembered.
 
 def on_timer(self):            takes long, and creates something at its end: it is followed anew, and this callback without haste
 """
@@ -17,12 +17,9 @@ from rosward.engine.budget import BeginAnewError, Budget
 from rosward.engine.libraries.library import Library
 from rosward.engine.sources.reads import Question, Reads
 from rosward.engine.sources.remembered import depends_on_the_machine
-from rosward.ir.program import CPP, PYTHON
 
-_MOST_ATTEMPTS: Final = {PYTHON: 3, CPP: 1}
-"""So often a process is followed with some haste. In C++ those behind the first seldom are the last one, and each takes long."""
-_PATIENCE: Final = 20
-"""So many times the steps a program in C++ has before it is followed in haste: there, to follow it anew costs more than haste saves."""
+_MOST_ATTEMPTS: Final = 3
+"""So often a process is followed with some haste."""
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
@@ -61,10 +58,12 @@ def _run(library: Library, entry: Entry, budget: Budget, configuration: Configur
 
 
 def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
-    """Follow a process in haste where it creates nothing; parts of it without haste, if it turns out that something depends on them."""
-    language = CPP if entry.program else PYTHON
-    if language == CPP:
-        budget = budget.patient(_PATIENCE)
+    """Follow a process in haste where it creates nothing; parts of it without haste, if it turns out that something depends on them.
+
+    One in C++ is not followed in haste: to follow it anew would cost more than haste saves.
+    """
+    if entry.program:
+        return follow(library, entry, budget, configuration, None)
 
     def judge(found: Run) -> None:
         parts = _to_follow_anew(found, library)
@@ -72,7 +71,7 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
             raise BeginAnewError(parts)
 
     careful: frozenset[str] = frozenset()
-    for _ in range(_MOST_ATTEMPTS[language]):
+    for _ in range(_MOST_ATTEMPTS):
         try:
             return follow(library, entry, budget, configuration, careful, judge)
         except BeginAnewError as error:  # noqa: PERF203 - twice or three times

@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rosward.analysis.seen import Seen
-from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.summary import creates
 from rosward.analysis.unreached import Unseen
 from rosward.engine.libraries.library import Library
@@ -19,14 +18,10 @@ from rosward.ir.program import Code
 
 
 def leaves_out(seen: Seen, functions: Iterable[Code], library: Library) -> bool:
-    """Whether something unknown may call a function that creates an entity and was not entered; in C++, whether there is one."""
+    """Whether something unknown may call a function that creates an entity and was not entered."""
     unseen = Unseen((seen,))
     creating = library.facts.creating
     for code in functions:
         if code.key not in seen.entered and unseen.may_call(code.file, code.qualname) and creates(code, creating):
             return True
-    if not seen.program or not isinstance(library.plain_sources, SourceTree):
-        return False
-    units = {key.rpartition("#")[0] for key in seen.entered}
-    found = library.plain_sources.creating_functions(creating, seen.program, lambda file: file in units)
-    return any(each.key not in seen.entered and not each.plugin for inner in found.values() for each in inner)
+    return False

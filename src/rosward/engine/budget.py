@@ -75,10 +75,6 @@ class Budget(NamedTuple):
         more = {name: type(value)(value * factor) for name, value in self._asdict().items() if name in counted}
         return self._replace(**more)
 
-    def patient(self, times: int) -> Budget:
-        """The budget with so many times the steps before something is followed in haste."""
-        return self._replace(entry_idle=self.entry_idle * times, loop_idle=self.loop_idle * times)
-
     net: bool = True
     flow: bool = False
     watched: frozenset[str] = frozenset()
