@@ -21,6 +21,7 @@ import threading
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from facts import Graph, load
@@ -51,10 +52,16 @@ class Extraction:
 
 def _without_results() -> str:
     """A cache folder in which rosward's own models may be, and no result of an earlier run is."""
-    folder = Path(tempfile.gettempdir(), f"rosward-bench-{os.getuid()}")
-    for results in folder.glob("results-*"):
+    folder = _own_folder().name
+    for results in Path(folder).glob("results-*"):
         shutil.rmtree(results)
-    return str(folder)
+    return folder
+
+
+@cache
+def _own_folder() -> tempfile.TemporaryDirectory[str]:
+    """No other bench that runs at the same time has it; it is gone when this one ends."""
+    return tempfile.TemporaryDirectory(prefix="rosward-bench-", ignore_cleanup_errors=True)
 
 
 def measure(command: Sequence[str], *, seconds: float) -> Run:
