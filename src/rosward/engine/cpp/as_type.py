@@ -24,8 +24,8 @@ from rosward.engine.cpp.types import dotted, is_message, pointee
 from rosward.ir.arithmetic import UNSIGNED, WRAPPING, same_type
 from rosward.models.cpp.conversions import convert as convert_plain
 from rosward.models.cpp.copies import copied, write
-from rosward.models.cpp.number_conversions import OCTETS
 from rosward.models.cpp.exceptions import may_raise, raises
+from rosward.models.cpp.number_conversions import OCTETS
 from rosward.models.cpp.owners import as_pointer
 from rosward.models.cpp.slots import read
 
