@@ -197,10 +197,10 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
         listed = names.named_children if right is not None else []
         parts = [over(body, right, ELEMENT, f"{NUMBERED}{i}") for i in range(len(listed)) if right is not None]
         bind(body, node, shape, names, src)
-        for child, whole in zip(listed, parts, strict=True):
+        for child, part in zip(listed, parts, strict=True):
             bound = body.variable(word(child))
             if bound is not None:
-                bound.over, bound.counts = whole, True
+                bound.over, bound.counts = part, True
         return
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
     if kind != NO_REGISTER:
