@@ -18,15 +18,15 @@ from rosward.ir.symbols import Scope, SymbolKind
 
 if TYPE_CHECKING:
     from rosward.frontends.cpp.symbol import CppSymbol
-    from rosward.frontends.cpp.symbols import CppSymbols
+    from rosward.frontends.cpp.symbol_file import FileSymbols
 
 __all__ = ["called", "derived", "statics_used"]
 
 
-def statics_used(program: CppSymbols) -> Mapping[Scope, Sequence[str]]:
+def statics_used(files: Iterable[FileSymbols]) -> Mapping[Scope, Sequence[str]]:
     """By the scope of a class template, its static members of which a constructor or a virtual function says the name."""
     found: dict[Scope, Sequence[str]] = {}
-    for cls in _classes(program):
+    for cls in _classes(files):
         if cls.template and b"static" in (cls.declared.node.text or b""):
             statics = [m.name for m in cls.members if m.kind is SymbolKind.VARIABLE and m.static]
             used = [name for name in statics if _is_used(cls, name)]
@@ -54,13 +54,13 @@ def called(members: Iterable[CppSymbol]) -> list[tuple[str, ...]]:
     return list(found)
 
 
-def derived(program: CppSymbols) -> Sequence[CppSymbol]:
+def derived(files: Iterable[FileSymbols]) -> Sequence[CppSymbol]:
     """The classes of namespaces that have a base and are no templates themselves, as the files are."""
-    return [cls for cls in _classes(program) if cls.template is None and cls.bases]
+    return [cls for cls in _classes(files) if cls.template is None and cls.bases]
 
 
-def _classes(program: CppSymbols) -> Iterator[CppSymbol]:
-    for file in program.files:
+def _classes(files: Iterable[FileSymbols]) -> Iterator[CppSymbol]:
+    for file in files:
         if not file.text.startswith(MODEL_PREFIX):
             for table in file.plain.values():
                 for symbols in table.values():

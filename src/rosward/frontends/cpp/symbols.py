@@ -143,12 +143,12 @@ class CppSymbols:
     @cached_property
     def statics_used(self) -> Mapping[Scope, Sequence[str]]:
         """By the scope of a class template, the static members that whoever makes an object of it needs."""
-        return statics_used(self)
+        return statics_used(self.files)
 
     @cached_property
     def derived(self) -> Sequence[CppSymbol]:
         """The classes that have a base and are no templates."""
-        return derived(self)
+        return derived(self.files)
 
     @cached_property
     def main(self) -> CppSymbol | None:
