@@ -144,8 +144,9 @@ class Compiled:
         taken = {unit.path for planned in self._planned.values() for unit in planned.units}
         described = frozenset([unit.path for unit in self._described.units])
         taken |= described if loads else set()
+        known = {file for name in self._planned if name in programs for file in programs[name].lines}
         found = guarded(
-            lambda: unlinked_libraries(self._workspace, self._builds, taken, self._headers.read, creating, described),
+            lambda: unlinked_libraries(self._workspace, self._builds, taken, self._headers, creating, described, known),
             Place(""),
             "libraries in C++ are not looked at",
             net=self._net,

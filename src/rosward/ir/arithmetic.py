@@ -6,12 +6,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-__all__ = ["INT", "LONG", "SMALL", "UNSIGNED", "WIDE", "common", "same_type"]
+__all__ = ["INT", "LONG", "SMALL", "UNSIGNED", "WIDE", "WRAPPING", "common", "same_type"]
 
 INT: Final = "int"
 LONG: Final = "long"
 UNSIGNED: Final = "unsigned int"
 WIDE: Final = "unsigned long"
+WRAPPING: Final = frozenset({"bool", "short", "unsigned short", UNSIGNED, WIDE})
+"""Types of whole numbers that begin again where they end, of those that `auto` may stand for."""
 _SAME: Final[Mapping[str, str]] = {
     **dict.fromkeys(("unsigned", "uint32_t"), UNSIGNED),
     **dict.fromkeys(("size_t", "uint64_t", "unsigned long int", "unsigned long long", "uintptr_t"), WIDE),

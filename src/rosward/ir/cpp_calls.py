@@ -63,11 +63,11 @@ class Invoke(Op):
 class InvokeMember(Op):
     """dst = obj.name<types…>(arguments…); `obj` is a slot. With `scope`, a register with a class: `obj.Base::name(…)`, which is not virtual.
 
-    `copied` as for `Invoke`. `constant`: the object is constant as it is seen here. `seen` leaves in register `static`
-    the type that the object, or the pointer to it, is declared with; it is run where that makes a difference.
+    `copied` as for `Invoke`. `constant`: the object is constant as it is seen here. `given`: as what, as of `Argued.kind`. `seen` leaves in
+    register `static` the type that the object, or the pointer to it, is declared with; it is run where that makes a difference.
     """
 
-    __slots__ = ("arguments", "constant", "copied", "dst", "name", "obj", "scope", "seen", "static", "types")
+    __slots__ = ("arguments", "constant", "copied", "dst", "given", "name", "obj", "scope", "seen", "static", "types")
 
     def __init__(
         self,
@@ -84,8 +84,10 @@ class InvokeMember(Op):
         constant: bool = False,
         seen: Block | None = None,
         static: int = NO_REGISTER,
+        given: str = "slot",
     ) -> None:
         super().__init__(line, column)
+        self.given = given
         self.constant = constant
         self.seen: Block = seen if seen is not None else []
         self.static = static

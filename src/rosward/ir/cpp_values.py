@@ -101,7 +101,7 @@ class Convert(Op):
     """dst = src as a value of a type. `kind`: 'init' of a variable or parameter of that type, 'value' of one by value, 'static', 'dynamic' or
     'const' for a cast; 'buffer': `char * p = s`, which leads to the first character of the array at the slot `src`. 'wrapped': a number
     below zero as one of an unsigned type; 'size': the same where what stands in `type`, which was asked for its size, is of a library;
-    'placed': what `new (p) T` makes, in the slot `type`.
+    'again': what is at the slot `src` begins again where the type ends; 'placed': what `new (p) T` makes, in the slot `type`.
     """
 
     __slots__ = ("dst", "kind", "src", "type")
@@ -113,7 +113,7 @@ class Convert(Op):
         dst: int,
         src: int,
         type_: int,
-        kind: Literal["init", "value", "static", "dynamic", "const", "buffer", "wrapped", "size", "placed"],
+        kind: Literal["init", "value", "static", "dynamic", "const", "buffer", "wrapped", "size", "again", "placed"],
     ) -> None:
         super().__init__(line, column)
         self.dst = dst

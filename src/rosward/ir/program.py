@@ -110,7 +110,7 @@ class Signature(NamedTuple):
 
     `reference`: it returns one. `using`: the namespaces of its `using namespace`. `owned`: which of its free cells a lambda has to itself, so
     that a copy of it has others. `constant`: a member function of constant objects, too. `apart`: wherever it is called, it is in one
-    context for each object.
+    context for each object. `receiver`: `&` or `&&` behind its parameters, of the objects that it is for.
     """
 
     parameters: tuple[ParameterSymbol, ...] = ()
@@ -121,6 +121,7 @@ class Signature(NamedTuple):
     owned: tuple[int, ...] = ()
     constant: bool = False
     apart: bool = False
+    receiver: str = ""
 
     def types(self, registers: Sequence[_T]) -> tuple[_T, ...]:
         """What a call has given for the parameters of the template."""

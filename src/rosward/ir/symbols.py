@@ -194,6 +194,9 @@ class Symbols(Protocol):
     def of_instances(self, scope: Scope) -> Mapping[str, Sequence[Symbol]]:
         """The members that single instances of a class template have instead of those of all: `template <> int Box<Imu>::size()`."""
 
+    def called(self, scope: Scope) -> Sequence[Sequence[str]]:
+        """What members of a class template that are defined elsewhere call its parameters: `template<class U> void Box<U>::fill()`."""
+
     def used(self, scope: Scope) -> Sequence[Symbol]:
         """The `using namespace` of a scope."""
 
@@ -214,6 +217,14 @@ class Symbols(Protocol):
     @property
     def variables(self) -> Sequence[Symbol]:
         """The variables of namespaces, and static members, in the order in which a program gives them their first values."""
+
+    @property
+    def statics_used(self) -> Mapping[Scope, Sequence[str]]:
+        """By the scope of a class template, the static members that whoever makes an object of it needs."""
+
+    @property
+    def derived(self) -> Sequence[Symbol]:
+        """The classes that have a base and are no templates."""
 
     @property
     def registered(self) -> Mapping[str, tuple[Scope, str]]:

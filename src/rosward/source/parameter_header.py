@@ -23,7 +23,7 @@ __all__ = ["parameter_header"]
 _TYPES: Final = MappingProxyType({"bool": "bool", "double": "double", "int": "int64_t", "string": "std::string"})
 _ARRAY: Final = "_array"
 _LISTENER: Final = (
-    "class ParamListener { public:"
+    "using StackParams = Params; class ParamListener { public:"  # those that need no heap: what is asked of them is in Params
     " template<typename NodeT> explicit ParamListener(const NodeT & node, const std::string & prefix = std::string())"
     " : node_(rosward::interface_of(node)), prefix_(prefix) { _begin(); }"
     " template<typename NodeT> ParamListener(const NodeT & node, const rclcpp::Logger & logger, const std::string & prefix = std::string())"
@@ -36,6 +36,7 @@ _LISTENER: Final = (
     ' bool is_old(const Params & other) const { return rosward::unknown("parameter", "set when it runs", "bool"); }'
     " bool try_get_params(Params & out) const { out = get_params(); return true; }"
     " bool try_update_params(Params & out) const { out = get_params(); return true; }"
+    " StackParams get_stack_params() { return get_params(); }"
     " template<typename CallbackT> void setUserCallback(const CallbackT & callback) { user_callback_ = callback; }"
     " void clearUserCallback() { user_callback_ = nullptr; }"
     " void refresh_dynamic_parameters() {}"

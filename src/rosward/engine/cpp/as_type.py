@@ -21,10 +21,11 @@ from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, is_message, pointee
-from rosward.ir.arithmetic import UNSIGNED
+from rosward.ir.arithmetic import UNSIGNED, WRAPPING, same_type
 from rosward.models.cpp.iteration.exceptions import may_raise, raises
 from rosward.models.cpp.values.conversions import convert as convert_plain
-from rosward.models.cpp.values.copies import copied
+from rosward.models.cpp.values.copies import copied, write
+from rosward.models.cpp.values.number_conversions import OCTETS
 from rosward.models.cpp.values.owners import as_pointer
 from rosward.models.cpp.values.slots import read
 
@@ -40,6 +41,8 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
     held = read(machine, value)
     if kind == "buffer":
         return buffer(value, held)
+    if kind == "again":
+        return _again(machine, value, held, type_)
     if kind in ("wrapped", "size"):
         return _wrapped(machine, held, type_, kind)
     if kind == "value":
@@ -87,6 +90,21 @@ def _wrapped(machine: Engine, held: Value, type_: Value, kind: str) -> Value:
         return convert_plain(machine, value, type_, "init") if leaves else value
 
     return lift(one, held)
+
+
+def _again(machine: Engine, slot: Value, held: Value, type_: Value) -> Value:
+    """What a variable of a type holds where that is a short or unsigned number: one that the type does not hold is written as one of it."""
+    name = same_type(dotted(type_).removeprefix("std."))
+    if name not in WRAPPING and name not in OCTETS:
+        return held
+    made = lift(lambda v: convert_plain(machine, v, type_, "init") if _is_whole(v) else v, held)
+    if made != held:
+        write(machine, slot, made)
+    return made
+
+
+def _is_whole(value: Value) -> bool:
+    return isinstance(value, Const) and type(value.value) is int
 
 
 def _of_reference(machine: Engine, found: Value) -> Value:

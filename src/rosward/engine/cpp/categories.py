@@ -28,6 +28,7 @@ __all__ = [
     "class_cast_to",
     "numbers_written",
     "of_constness",
+    "of_receiver",
     "same_parameters",
     "undominated",
 ]
@@ -175,6 +176,16 @@ def of_constness(several: Overloads, *, constant: bool) -> Overloads:
             for f, s in zip(several.functions, own, strict=True)
             if s is None or not s.constant or not any(same_parameters(s, other) for other in others)
         ]
+    return several.only(tuple(kept)) if kept else several
+
+
+def of_receiver(several: Overloads, *, is_new: bool) -> Overloads:
+    """Of functions with `&` and `&&` behind their parameters, those for an object that is new or moved, or for any other."""
+    own = [f.code.signature.receiver if f.code.signature is not None else "" for f in several.functions]
+    if len(own) < 2 or not any(own):
+        return several
+    wanted = ("&&", "") if is_new and "&&" in own else ("&", "")
+    kept = [f for f, receiver in zip(several.functions, own, strict=True) if receiver in wanted]
     return several.only(tuple(kept)) if kept else several
 
 

@@ -115,6 +115,18 @@ def bind_template(
     return bindings
 
 
+def _by_other_names(machine: Engine, symbol: Symbol, bindings: dict[str, Value]) -> dict[str, Value]:
+    """The arguments of a class template by the names that definitions of its members elsewhere give them."""
+    own = symbol.template or ()
+    if symbol.specialises is not None:
+        return {}
+    meant: dict[str, set[str]] = {}
+    for several in linked(machine).symbols.called(symbol.inner):
+        for name, parameter in zip(several, own, strict=False):
+            meant.setdefault(name, set()).add(parameter.name)
+    return {name: bindings[parameters.pop()] for name, parameters in meant.items() if len(parameters) == 1}
+
+
 def instance_of(
     machine: Engine,
     symbol: Symbol,
@@ -146,6 +158,7 @@ def instance_of(
     outer = ".".join(n for n in symbol.scope if n)
     name = f"{outer}.{symbol.name}" if outer else symbol.name
     scope = ModuleValue(address, name, symbol.place.file)
+    bindings = {**_by_other_names(machine, symbol, bindings), **bindings} if types else bindings
     info = program.infos[address] = Info(symbol, env, scope, symbol.inner, types, bindings)
     info.around = around or {}
     program.scopes[address] = symbol.inner

@@ -17,9 +17,10 @@ from rosward.domain.values import UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.engine.cpp import assumed_nodes, names
 from rosward.engine.cpp.handing import is_foreign
 from rosward.engine.cpp.linked import Info, linked
-from rosward.engine.cpp.types import is_message
+from rosward.engine.cpp.types import dotted, is_message, type_of
 from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.ir.symbols import SymbolKind
+from rosward.models.cpp.constants import known_name
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.unions import take_member
 
@@ -46,7 +47,8 @@ def member(
     ):  # a method of the object by mistake, or of a pointer that is none
         owner = owner.target
     if not isinstance(owner, Ref):
-        return owner if isinstance(owner, Unknown) else machine.unknown(Cause.OPERATION, f"member {name}")
+        known = known_name(f"{dotted(type_of(machine, owner))}.{name}", None)  # `text.npos`
+        return known or (owner if isinstance(owner, Unknown) else machine.unknown(Cause.OPERATION, f"member {name}"))
     program = linked(machine)
     cls = program.class_of(machine, owner)
     info = program.info(cls)

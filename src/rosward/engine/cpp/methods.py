@@ -19,7 +19,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import access, assigning, assumed_nodes, calls, endings, members, names, operators
-from rosward.engine.cpp.categories import of_constness
+from rosward.engine.cpp.categories import of_constness, of_receiver
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import is_message, pointee
@@ -49,9 +49,11 @@ def invoke(
     own: bool,
     constant: bool = False,
     declared: Callable[[], Value] | None = None,
+    given: str = "slot",
 ) -> Value:
     """`owner.name<types>(args)`; `scope`: `owner.Scope::name(args)`; `own`: of `this`; `constant`: of an object that is so;
-    `declared` gives the type that it, or the pointer to it, is declared with."""
+    `declared` gives the type that it, or the pointer to it, is declared with; `given`: as what the object is there."""
+    is_new = given == "value" or (given == "result" and owner == frame.handed)
     receivers = _receivers(machine, owner, name)
 
     def one(receiver: tuple[Value, Value]) -> Value:
@@ -70,6 +72,7 @@ def invoke(
             own=own,
             constant=constant,
             declared=declared,
+            is_new=is_new,
         )
 
     return each_apart(machine, receivers, one)
@@ -128,6 +131,7 @@ def _of_one(
     own: bool,
     constant: bool,
     declared: Callable[[], Value] | None,
+    is_new: bool,
 ) -> Value:
     if name in _OF_VARIANTS:
         found = of_variant(machine, slot, value, name, args, types, declared)
@@ -143,7 +147,7 @@ def _of_one(
             given = args if isinstance(function, External) and _is_apart(machine, value) else (value, *args)
             return calls.unknown_call(machine, function, given, types)
         if isinstance(function, Overloads):
-            function = of_constness(function, constant=constant)
+            function = of_constness(of_receiver(function, is_new=is_new), constant=constant)
         return calls.invoke(machine, access.value(machine, function), args, types)
     for type_name in method_types(machine, value):
         native = machine.library.native(f"{type_name}.{name}")

@@ -115,6 +115,22 @@ def _first_values(machine: Engine) -> None:
         info = program.info(cls) if cls is not None else None
         variable(machine, Found((symbol,), info.env if info is not None else env, info))
 
+    _of_instances(machine)
+
+
+def _of_instances(machine: Engine) -> None:
+    """The static members of class templates that a class of the program derives from: it registers itself before `main`."""
+    program = linked(machine)
+    used = program.symbols.statics_used
+    for symbol in program.symbols.derived if used else ():
+        cls = named(machine, "::".join(filter(None, (*symbol.scope, symbol.name))))
+        for base in cls.mro if isinstance(cls, Class) else ():
+            info = program.info(base)
+            for name in used.get(info.scope, ()) if info is not None else ():
+                found = names.in_class(machine, info, name) if info is not None else None
+                if found is not None:
+                    variable(machine, found)
+
 
 def _may_be_object(symbol: Symbol) -> bool:
     """Whether what is declared without a first value may be an object: `static Registrar<Mop> registrar;`."""

@@ -46,6 +46,14 @@ def _numbered(type_: Value, number: int) -> Value:
     return argument(type_, number) if is_one else NONE
 
 
+def _bound(machine: Engine, type_: Value, number: int) -> Value:
+    """The type of that name in `auto [a, b] = x`: of a pair, a tuple, an array, or of a field of a class."""
+    if not isinstance(type_, Class):
+        return argument(type_, 0) if name_of(type_) in ("array", "std.array") else _numbered(type_, number)
+    info = linked(machine).info(type_)
+    return _part(machine, type_, f"{DOT}{info.fields[number].name}") if info and number < len(info.fields) else NONE
+
+
 def of_found(machine: Engine, found: Found, *, called: bool) -> Value:
     """The type of a variable, or of what functions of that name return, where all return the same."""
     kind = SymbolKind.FUNCTION if called else SymbolKind.VARIABLE
@@ -65,7 +73,7 @@ def _part(machine: Engine, type_: Value, which: str) -> Value:
     if which == UNDER:
         return _under(type_)
     if which.startswith(NUMBERED):
-        return _numbered(type_, int(which.removeprefix(NUMBERED)))
+        return _bound(machine, type_, int(which.removeprefix(NUMBERED)))
     name = which.removeprefix(DOT).removesuffix(CALLED)
     called = which.endswith(CALLED)
     if isinstance(type_, Class):
@@ -81,6 +89,8 @@ def _of_library(type_: Value, name: str) -> Value:
     """What a function of a container, a pointer or an optional returns."""
     if name_of(type_) in POINTERS:
         return type_ if name in _SAME else NONE
+    if name in ("size", "length") and name_of(type_).startswith("std."):
+        return TypeOf("size_t", ())
     if name in _OF_ONE:
         return argument(type_, 0) if name_of(type_) in {"std.optional", "std.queue", "std.stack"} else _under(type_)
     each = _each(type_) if name in _PLACES else NONE

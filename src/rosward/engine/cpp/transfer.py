@@ -204,6 +204,7 @@ def _invoke_member(machine: Engine, op: cpp.InvokeMember, frame: Frame) -> bool 
         own=op.obj == 0 and bool(naming.this_of(frame)),
         constant=op.constant,
         declared=declared if op.static != ops.NO_REGISTER else None,
+        given=op.given,
     )
     return _result(machine, frame, op, value)
 

@@ -64,14 +64,19 @@ def ours(declaration: Node) -> Iterator[tuple[str, tuple[str, ...]]]:
 
 
 def words_of(whole: Node, function: Node | None) -> frozenset[str]:
-    """`static`, `inline`, `virtual`, `constexpr`, …; `override` and `final` behind the parameters, `const` there as `this const`."""
+    """`static`, `inline`, `virtual`, `constexpr`, …; `override` and `final` behind the parameters, `const`, `&` and `&&` there as `this const`, …."""
     found = {text_of(child) for child in whole.children if child.type in _SPECIFIERS}
     for child in function.children if function is not None else ():
         if child.type == "virtual_specifier":
             found.add(text_of(child))
-        elif child.type == "type_qualifier":
+        elif child.type in {"type_qualifier", "ref_qualifier"}:
             found.add(f"this {text_of(child)}")
     return frozenset(found)
+
+
+def receiver_in(words: frozenset[str]) -> str:
+    """`&` or `&&` behind the parameters."""
+    return "&&" if "this &&" in words else "&" if "this &" in words else ""
 
 
 def function_of(declarator: Node | None) -> Node | None:

@@ -10,11 +10,12 @@ What is deleted is not there. Of a class that is defined, other declarations say
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
-from typing import TypeVar, final
+from typing import Final, TypeVar, final
 
 from rosward.frontends.cpp.symbol import CppSymbol
 from rosward.ir.symbols import SymbolKind, TypePattern
 
+_OF_THIS: Final = frozenset({"this const", "this &", "this &&"})
 _K = TypeVar("_K", bound=Hashable)
 
 
@@ -121,7 +122,7 @@ def _same_function(symbol: CppSymbol, others: Sequence[CppSymbol]) -> Sequence[C
         for other in others
         if len(other.parameters) == len(own)
         and (other.template is None) == (symbol.template is None)
-        and ("this const" in other.words) == ("this const" in symbol.words)
+        and other.words & _OF_THIS == symbol.words & _OF_THIS
         and (other.declared.arguments is None) == (symbol.declared.arguments is None)
         and (not symbol.unit or not other.unit or symbol.unit == other.unit)
     ]

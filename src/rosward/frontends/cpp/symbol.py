@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final, Protocol, final
 from rosward.frontends.cpp import patterns
 from rosward.frontends.cpp.declarators import dense, inner, spelled, template_parameter_name
 from rosward.frontends.cpp.lower import entry as lower
-from rosward.frontends.cpp.marks import function_of, marks_of, words_of
+from rosward.frontends.cpp.marks import function_of, marks_of, receiver_in, words_of
 from rosward.frontends.cpp.outline import CLASSES, Declared, enumeration_name, has_variables, is_scoped, local, members
 from rosward.frontends.cpp.parse import Parsed
 from rosward.frontends.cpp.patterns import arguments, has_const, parameter_nodes, parameters
@@ -320,8 +320,8 @@ class CppSymbol:
     @cached_property
     def signature(self) -> Signature:
         """How the registers of a function are filled."""
-        given = self.parameters, self.leading, self.template or (), self.reference
-        return Signature(*given, constant=self.constant, apart=bool(self.leading) and _APART in self.marks)
+        given = self.parameters, self.leading, self.template or (), self.reference, (), (), self.constant
+        return Signature(*given, apart=bool(self.leading) and _APART in self.marks, receiver=receiver_in(self.words))
 
     @cached_property
     def leading(self) -> int:

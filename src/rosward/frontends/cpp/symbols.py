@@ -14,6 +14,7 @@ from hashlib import blake2b
 from typing import Final, final
 
 from rosward.frontends.cpp.flow_marks import marked
+from rosward.frontends.cpp.instances import called, derived, statics_used
 from rosward.frontends.cpp.outline import namespace_at
 from rosward.frontends.cpp.same import Merged
 from rosward.frontends.cpp.symbol import CppSymbol
@@ -81,6 +82,10 @@ class CppSymbols:
                 found.setdefault(name, []).extend(same)
         return found
 
+    def called(self, scope: Scope) -> Sequence[Sequence[str]]:
+        """What members of a class template that are defined elsewhere call its parameters."""
+        return called(symbol for symbols in self._scope(scope).values() for symbol in symbols)
+
     @cached_property
     def unaware(self) -> Mapping[str, frozenset[Scope]]:
         """The files that know nothing of ROS, and keep nothing between two calls, unless they are handed something of these namespaces."""
@@ -134,6 +139,16 @@ class CppSymbols:
                 if whole is not None:
                     found[whole] = None
         return sorted(found, key=lambda symbol: not _is_written(symbol))
+
+    @cached_property
+    def statics_used(self) -> Mapping[Scope, Sequence[str]]:
+        """By the scope of a class template, the static members that whoever makes an object of it needs."""
+        return statics_used(self.files)
+
+    @cached_property
+    def derived(self) -> Sequence[CppSymbol]:
+        """The classes that have a base and are no templates."""
+        return derived(self.files)
 
     @cached_property
     def main(self) -> CppSymbol | None:

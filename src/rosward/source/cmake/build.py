@@ -10,6 +10,7 @@ consists of over all packages is told by `programs.py`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Final, final
@@ -74,6 +75,10 @@ def read_build(
 def _is_usual(variable: str) -> bool:
     """Whether a variable of the environment may well be set where a package is built."""
     return variable in _OF_EACH_SHELL or "PREFIX" in variable or HOLE in variable
+
+
+_OF_FOUND: Final = re.compile(r"(?!CMAKE_|PROJECT_).+_(?:FOUND|VERSION(?:_(?:MAJOR|MINOR|PATCH|STRING))?)")
+"""What a package says that another one found: `GAZEBO_VERSION` of gazebo_dev."""
 
 
 @final
@@ -146,6 +151,8 @@ class _Reader:
             return HOLE
         value = _PLATFORM.get(name)
         if value is None and self._prefixes:
+            if _OF_FOUND.fullmatch(name):
+                return HOLE
             lower = name.lower()
             at = lower.find("_")
             while at >= 0:

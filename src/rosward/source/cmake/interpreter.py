@@ -28,6 +28,7 @@ from rosward.source.cmake.conditions import Surroundings, holds
 from rosward.source.cmake.files import PackageFiles
 from rosward.source.cmake.joined import joined
 from rosward.source.cmake.lists import COMPUTATIONS, change_list, loop_items
+from rosward.source.cmake.probes import may_write, written
 from rosward.source.cmake.reader import Reader
 from rosward.source.cmake.text import Command, parse_cmake
 from rosward.source.cmake.variables import HOLE, Variables
@@ -35,14 +36,6 @@ from rosward.source.text import place_name, read_bytes
 
 _STEP_LIMIT: Final = 50_000
 _NESTING_LIMIT: Final = 60
-_WRITES_FIRST: Final = frozenset(
-    {
-        "check_cxx_compiler_flag", "check_cxx_source_compiles", "check_include_file_cxx", "cmake_path", "find_file",
-        "find_library", "find_path", "find_program", "get_cmake_property", "get_property", "get_target_property", "math",
-        "separate_arguments", "site_name", "try_compile", "try_run",
-    }
-)  # fmt: skip
-"""Commands that write a variable, named by an argument, with what nobody knows before the build."""
 
 
 class Function(NamedTuple):
@@ -268,12 +261,13 @@ class Interpreter:
                     self._reader.handlers[name](arguments, command)
             case name if name in self.functions:
                 self._call(name, arguments, depth)
-            case name if name in _WRITES_FIRST or name == "execute_process":
-                self._forget(arguments[:1] if name in _WRITES_FIRST else arguments)
+            case name if (values := written(name, arguments)) is not None:
+                self._take(values)
             case name:
                 if self._reader.unknown_command(name) and name in self.functions:
                     self._call(name, arguments, depth)
                 else:
+                    self._take(may_write(name, arguments, self.variables.values))
                     self._reader.not_understood(arguments, command)
 
     def _set(self, arguments: list[str]) -> None:
@@ -295,10 +289,11 @@ class Interpreter:
 
     def _forget(self, names: list[str]) -> None:
         """What the commands would write into these variables is not known."""
+        self._take({name: HOLE for name in names if name.isidentifier()})
+
+    def _take(self, values: dict[str, str]) -> None:
         if self._around is not None:
-            for name in names:
-                if name.isidentifier():
-                    self.variables.values[name] = HOLE
+            self.variables.values.update(values)
 
     def _subdirectory(self, arguments: list[str], depth: int) -> None:
         inner = self.inside(arguments[0])

@@ -14,6 +14,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final, final
 
+from rosward.location import Place
 from rosward.source import disk, limits
 from rosward.source.cmake.generators import meant, objects_of
 from rosward.source.cmake.interpreter import Interpreter
@@ -101,10 +102,11 @@ class TargetCommands:
             return
         target = self.made.get(name)
         if target is None:
-            target = Making(name, made, self._interpreter.place(command), self.sure, self.folder())
+            within = tuple(self._interpreter.undecided)
+            target = Making(name, made, self._interpreter.place(command), self.sure, self.folder(), within)
             self.made[name] = target
-        elif self.sure:
-            target.sure = True
+        else:
+            target.made_again(sure=self.sure)
         if command.name.startswith("ament_auto_"):
             sources = list(self._automatic(target, sources))
         self._put(target, sources)
@@ -234,14 +236,16 @@ class TargetCommands:
                 self._include([argument], using)
 
     def _target_definitions(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        within = self._within(arguments[0])
         for into, argument in self._by_visibility(arguments):
             for using in into:
-                using.definitions |= self._definitions([argument])
+                using.definitions |= self._definitions([argument], within)
 
     def _target_options(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        within = self._within(arguments[0])
         for into, argument in self._by_visibility(arguments):
             for using in into:
-                using.definitions |= self._definitions(a for a in [argument] if a.startswith("-D"))
+                using.definitions |= self._definitions((a for a in [argument] if a.startswith("-D")), within)
 
     def _properties(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         """`set_target_properties(a b PROPERTIES COMPILE_DEFINITIONS X=1 …)`."""
@@ -254,7 +258,7 @@ class TargetCommands:
         for target in map(self.find, arguments[:at]):
             if target is not None:
                 target.output = pairs.get("OUTPUT_NAME", target.output)
-                target.own.definitions |= self._definitions(t for t in texts if t)
+                target.own.definitions |= self._definitions((t for t in texts if t), target.within)
 
     # What all targets of a folder use
 
@@ -279,14 +283,19 @@ class TargetCommands:
             elif "::" in text:
                 into.links[text] = None
 
-    def _definitions(self, texts: Iterable[str]) -> dict[Definition, None]:
-        """The macros that arguments define."""
+    def _within(self, name: str) -> tuple[Place, ...]:
+        target = self.find(name)
+        return target.within if target is not None else ()
+
+    def _definitions(self, texts: Iterable[str], within: tuple[Place, ...] = ()) -> dict[Definition, None]:
+        """The macros that arguments define, of what stands itself `within` these conditions that nobody knows."""
         found: dict[Definition, None] = {}
+        known = all(place in within for place in self._interpreter.undecided)
         for argument in texts:
             text, sure = meant(argument)
             name, equals, value = text.removeprefix("-D").partition("=")
             if name.isidentifier():
-                sure = sure and self.sure and HOLE not in value
+                sure = sure and known and HOLE not in value
                 value = value.replace('\\"', '"').replace(HOLE, "")
                 found[Definition(name, value if equals else "1", sure)] = None
         return found

@@ -127,13 +127,17 @@ class Using:
 @final
 @dataclass(slots=True)
 class Making:
-    """A target in the course of being read; `folder` is what all targets of its folder use."""
+    """A target in the course of being read; `folder` is what all targets of its folder use.
+
+    `within`: the conditions that nobody knows around the only place that makes it.
+    """
 
     name: str
     made: Made
     place: Place
     sure: bool
     folder: Using
+    within: tuple[Place, ...] = ()
     sources: dict[str, None] = field(default_factory=dict)
     missing: dict[str, None] = field(default_factory=dict)
     objects: dict[str, None] = field(default_factory=dict)
@@ -141,6 +145,14 @@ class Making:
     handed: Using = field(default_factory=Using)
     installed: bool = False
     output: str = ""
+
+    def made_again(self, *, sure: bool) -> None:
+        """Another place makes it, too: what the first one defines for it holds only there."""
+        self.sure = self.sure or sure
+        if self.within:
+            self.within = ()
+            for using in (self.own, self.handed):
+                using.definitions = {d._replace(sure=False): None for d in using.definitions}
 
     def made_up(self) -> Built:
         """The target as it is now."""

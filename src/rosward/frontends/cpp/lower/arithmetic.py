@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 
 _DEPTH: Final = 12
 _SUFFIXES: Final[Mapping[str, str]] = {"u": UNSIGNED, "l": "long", "ll": "long", "z": "long"}
-WRAPPING: Final = frozenset({"bool", "short", "unsigned short", UNSIGNED, WIDE})
-"""Types of whole numbers that begin again where they end, of those that `auto` may stand for."""
 _SIZES: Final = frozenset({"size", "length"})
 
 

@@ -145,10 +145,20 @@ def _method(body: Body, node: Node, function: Node, listed: Node | None, want: W
                 constant=constant,
                 seen=seen,
                 static=static,
+                given="slot" if through else _given(argument),
             )
         ),
         want,
     )
+
+
+def _given(argument: Node | None) -> str:
+    """As what an object is given to a function of it: a place, what a call gives, or what is new or moved."""
+    if argument is None or argument.type not in ("call_expression", "compound_literal_expression", "cast_expression"):
+        return "slot"
+    function = argument.child_by_field_name("function")
+    moved = function is None or word(function) == "std::move" or "&&" in word(function)
+    return "value" if moved else "result"
 
 
 _ASSIGNING: Final = frozenset(f"operator{sign}=" for sign in ("+", "-", "*", "/", "%", "&", "|", "^", "<<", ">>"))

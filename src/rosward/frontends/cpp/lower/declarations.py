@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.frontends.cpp.lower.arithmetic import WRAPPING, type_written
+from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.initialisers import Given, construct, given
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import parts_of
-from rosward.frontends.cpp.lower.seen import over, own, written_cast
+from rosward.frontends.cpp.lower.seen import over, own, part_counts, written_cast
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import (
     ARRAYS,
@@ -33,6 +33,7 @@ from rosward.frontends.cpp.lower.types import (
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.lower.vexing import arguments_in, meant, referent
 from rosward.frontends.cpp.patterns import has_const
+from rosward.ir.arithmetic import WRAPPING
 from rosward.ir.core import NO_REGISTER, Binary
 from rosward.ir.cpp import Convert, Copy, Destructure, StaticLocal
 from rosward.ir.cpp_names import NUMBERED
@@ -108,7 +109,7 @@ def variable(
         for child, each in zip(name.named_children, parts, strict=False):
             bound = body.variable(word(child))
             if bound is not None:
-                bound.over = each
+                bound.over, bound.counts = each, True
         return None
     return _one(body, node, type_node, shape, word(name), what, static=static, equals=equals)
 
@@ -140,7 +141,7 @@ def _one(
     constant = has_const(node) and itself and not has(shape, POINTERS | ARRAYS)
     characters = not reference and is_text_array(type_node, shape, const=has_const(node))
     is_auto = type_node is None or type_node.type in _AUTO
-    whole = over(body, what) if is_auto and what is not None and not isinstance(what, Given) else None
+    whole = over(body, _single(what)) if is_auto and what is not None and not isinstance(what, Given) else None
     if (
         is_auto
         and not (reference or points or static or isinstance(what, Given))
@@ -162,6 +163,7 @@ def _one(
     if is_auto and what is not None and not isinstance(what, Given) and (reference or has(shape, POINTERS)):
         found.written = written_cast(what)
     found.over = whole if is_first and found.written is None else None
+    found.counts = whole is not None and not points and part_counts(whole.node)
     if static:
         result = NO_REGISTER
 
@@ -181,6 +183,12 @@ def _one(
         if holds and found not in body.scopes[-1].objects:
             body.scopes[-1].objects.append(found)
     return found
+
+
+def _single(value: Node) -> Node:
+    """What is in the brackets of `auto x{a}` and `auto x(a)`."""
+    is_list = value.type in ("argument_list", "initializer_list") and len(value.named_children) == 1
+    return value.named_children[0] if is_list else value
 
 
 def is_place(body: Body, what: Node | Given | None) -> bool:

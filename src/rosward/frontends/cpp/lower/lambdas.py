@@ -87,6 +87,8 @@ def _lambda(body: Body, node: Node, _want: Want) -> int:
             variable.reference, variable.builtin = like.reference, like.builtin
             variable.constant, variable.leads_to_constant = like.constant, like.leads_to_constant
             variable.written = like.written
+            if like.counts:
+                variable.over, variable.counts = like.over, True
         inner.scopes[-1].names[name] = variable
     for each in captures.named:
         inner.scopes[-1].names[each.name] = each

@@ -43,7 +43,6 @@ if TYPE_CHECKING:
 
 _STEP: Final = 200
 """Nodes in what is done before each turn, which is lowered once for each `continue`."""
-_PAIR: Final = 2
 _AUTO: Final = frozenset({"placeholder_type_specifier", "auto"})
 
 
@@ -195,11 +194,13 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
             break
         names = inner
     if names.type == "structured_binding_declarator":
-        whole = over(body, right, ELEMENT, f"{NUMBERED}1") if right is not None else None
+        listed = names.named_children if right is not None else []
+        parts = [over(body, right, ELEMENT, f"{NUMBERED}{i}") for i in range(len(listed)) if right is not None]
         bind(body, node, shape, names, src)
-        second = body.variable(word(names.named_children[-1])) if len(names.named_children) == _PAIR else None
-        if second is not None:
-            second.over = whole
+        for child, part in zip(listed, parts, strict=True):
+            bound = body.variable(word(child))
+            if bound is not None:
+                bound.over, bound.counts = part, True
         return
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
     if kind != NO_REGISTER:
@@ -213,6 +214,7 @@ def _element(body: Body, node: Node, shape: Node, item: int, reference: bool) ->
     )
     found.written = None if type_node is None or is_auto else (type_node, shape)
     found.over = whole
+    found.counts = whole is not None and not points
     body.write(node, found, src)
     body.free_register = body.floor
 

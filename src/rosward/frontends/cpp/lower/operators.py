@@ -12,7 +12,7 @@ from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import last_part, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.narrowing import COMPARE, condition, conjunction, split
-from rosward.frontends.cpp.lower.seen import is_constant, led_to, seen_scope
+from rosward.frontends.cpp.lower.seen import again, is_constant, led_to, seen_scope
 from rosward.frontends.cpp.lower.survey import is_apart, operator_of, through_member, word
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
@@ -255,6 +255,7 @@ def _assignment(body: Body, node: Node, want: Want) -> int:
     dst = NO_REGISTER if want == "effect" else body.register()
     seen, static = led_to(body, left) if operator == "=" else ([], NO_REGISTER)
     body.emit(Assign(*body.place(node), dst, operator, slot, src, seen=seen, static=static))
+    again(body, node, target, left, slot)
     return dst if want == "effect" else body.given(node, dst, want)
 
 
@@ -286,6 +287,7 @@ def _update(body: Body, node: Node, want: Want) -> int:
         return body.given(node, slot, want) if prefix and want != "effect" else before
     dst = NO_REGISTER if want == "effect" else body.register()
     body.emit(Step(*body.place(node), dst, operator, slot, prefix=prefix))
+    again(body, node, target, argument, slot)
     return body.given(node, dst, want) if prefix and want != "effect" else dst
 
 

@@ -17,7 +17,7 @@ from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, declared_type, has, type_of
 from rosward.frontends.cpp.lower.variables import Over, Variable
 from rosward.ir.core import NO_REGISTER
-from rosward.ir.cpp import Copy, Declared, TypeOfValue
+from rosward.ir.cpp import Convert, Copy, Declared, TypeOfValue
 from rosward.ir.cpp_names import ARROW, CALLED, DOT, LED, NUMBERED, UNDER
 from rosward.ir.op import Block
 
@@ -28,11 +28,21 @@ _DEPTH: Final = 20
 _LEADING: Final = frozenset({"field_expression", "pointer_expression"})
 _OF_PAIRS: Final = frozenset({"first", "second"})
 _SAME: Final = frozenset({"as_const", "move"})
+_PARTS_OF: Final = frozenset({"field_expression", "identifier", "pointer_expression", "subscript_expression"})
+_PLACES: Final = frozenset(
+    {
+        "begin", "cbegin", "rbegin", "crbegin", "end", "cend", "rend", "find", "lower_bound", "upper_bound", "insert", "emplace",
+        "erase", "data", "c_str", "str",
+    }
+)  # fmt: skip
+"""Functions that give iterators, pointers and texts."""
 _NOTHING: Final[tuple[Block, int]] = [], NO_REGISTER
 _PLAIN: Final = re.compile(
-    r"(?:const\s+)?std::\w+<\s*(?:const\s+)?(?:std::(?:string|\w+_t)|rclcpp\w*::[\w:]*|bool|char|double|float|int|long|u?int\d+_t)\b[^,]*\Z"
+    r"(?:const\s+)?std::\w+<\s*(?:const\s+)?(?:std::(?:string|\w+_t)|rclcpp\w*::[\w:]*|bool|char|double|float|int|long)\b[^,]*\Z"
 )
 """Containers of which the elements hide nothing."""
+_NUMBERS: Final = re.compile(r"(?:const\s+)?std::\w+<\s*(?:const\s+)?u?int\d+_t\b[^,]*\Z")
+"""Those of which the elements are numbers that begin again."""
 _LIBRARIES: Final = (b"std::string", b"std::vector", b"std::map", b"rclcpp::", b"rclcpp_")
 """How types begin in which nothing is hidden."""
 
@@ -54,6 +64,28 @@ def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Blo
         if found[1] != NO_REGISTER:
             return found
     return _typed(body, node, place)
+
+
+def part_counts(node: Node) -> bool:
+    """Whether `auto` of an expression may be a short or unsigned number: of a part of something, or what a function returns, which is no iterator."""
+    if node.type == "call_expression":
+        function = node.child_by_field_name("function")
+        if function is None:
+            return False
+        if function.type == "field_expression":
+            return word(function.child_by_field_name("field")) not in _PLACES
+        return function.type == "identifier" or not word(function).startswith("std::") or word(function)[5:9] == "get<"
+    return node.type in _PARTS_OF
+
+
+def again(body: Body, node: Node, variable: Variable | None, name: Node | None, slot: int) -> None:
+    """What has been written to an `auto` variable begins again where its type ends."""
+    if variable is None or not variable.counts or variable.reference or variable.builtin:
+        return
+    block, kind = declared(body, name, body.place(node))
+    if kind != NO_REGISTER:
+        body.ops.extend(block)
+        body.emit(Convert(*body.place(node), body.register(), slot, kind, "again"))
 
 
 def _of_own(body: Body, node: Node, place: tuple[int, int]) -> tuple[Block, int]:
@@ -126,7 +158,10 @@ def _of_variable(body: Body, node: Node, place: tuple[int, int], depth: int, par
     if variable.over is not None:
         whole = variable.over
         return _parts(body, _typed(body, whole.node, place, depth + 1, whole), place, *whole.which)
-    if variable.written is None or variable.raw or _PLAIN.match((variable.written[0].text or b"").decode()):
+    if variable.written is None or variable.raw:
+        return _NOTHING
+    text = (variable.written[0].text or b"").decode()
+    if _PLAIN.match(text) or (part_of is None and _NUMBERS.match(text)):
         return _NOTHING
     return _written(body, variable.written)
 

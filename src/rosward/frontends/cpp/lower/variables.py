@@ -27,10 +27,11 @@ class Variable:
 
     `reference`: it holds a slot. `constant`: it is never assigned to, whoever gets it. `leads_to_constant`: a pointer, through which nothing
     is changed. `builtin`: the arithmetic type that it has. `buffer`: an array of characters, which is kept as a text, and as a value a pointer
-    to the first of them. `raw`: a type, a constant of a template or a pack, which is taken as it is; `pack` tells the last, `type` a type or
-    constant. `path`: it is no variable at all, but another name for that (`using std::string;`, `namespace fs = std::filesystem;`), with ''
-    first where that begins with `::`. `written` is the type that it is declared with, and what its declarator adds. `over`: where that is
-    `auto`, what it begins with, or the loop runs over. `members` are the enumerators of an enum.
+    to the first of them. `counts`: it is `auto` of a part of something, which may be a short or unsigned number. `raw`: a type, a constant of a
+    template or a pack, which is taken as it is; `pack` tells the last, `type` a type or constant. `path`: it is no variable at all, but another
+    name for that (`using std::string;`, `namespace fs = std::filesystem;`), with '' first where that begins with `::`. `written` is the type
+    that it is declared with, and what its declarator adds. `over`: where that is `auto`, what it begins with, or the loop runs over. `members`
+    are the enumerators of an enum.
     """
 
     __slots__ = (
@@ -38,6 +39,7 @@ class Variable:
         "builtin",
         "cell",
         "constant",
+        "counts",
         "leads_to_constant",
         "members",
         "name",
@@ -71,6 +73,7 @@ class Variable:
         self.builtin = builtin
         self.buffer = False
         self.constant = False
+        self.counts = False
         self.leads_to_constant = False
         self.written: tuple[Node, Node | None] | None = None
         self.over: Over | None = None
