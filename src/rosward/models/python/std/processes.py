@@ -138,12 +138,27 @@ def _system(call: NativeCall) -> Value:
     return call.machine.unknown(Cause.CALL, call.name, "int" if call.name.endswith("system") else "")
 
 
-def _exec(call: NativeCall) -> Value:
-    """os.exec*: the program is replaced by another one."""
+def _of_words(call: NativeCall, words: tuple[Value, ...]) -> None:
+    """Report a command that is given in words, or in lists of them."""
     flat: list[Value] = []
-    for arg in call.args[1:]:
+    for arg in words:
         flat.extend(call.machine.iterate(arg).known if isinstance(arg, (Ref, Tuple)) else (arg,))
     launches(call, Tuple(tuple(flat)))
+
+
+def _spawned(behind: int) -> NativeFunction:
+    """What starts a program beside this one; its words begin behind so many arguments."""
+
+    def spawn(call: NativeCall) -> Value:
+        _of_words(call, call.args[behind:])
+        return call.machine.unknown(Cause.CALL, call.name)
+
+    return spawn
+
+
+def _exec(call: NativeCall) -> Value:
+    """os.exec*: the program is replaced by another one."""
+    _of_words(call, call.args[1:])
     return call.machine.die("SystemExit", "replaced by another program")
 
 
@@ -186,6 +201,9 @@ def _listing(call: NativeCall) -> Value:
     return call.machine.new_list((), call.machine.unknown(Cause.FILE, where, hint))
 
 
+_SUFFIXES: Final = ("l", "le", "lp", "lpe", "v", "ve", "vp", "vpe")
+"""How the functions of `os` that start a program are told apart."""
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "sys.exit": _exit,
     "os._exit": _exit,
@@ -193,9 +211,12 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "sys._argv": _argv,
     "os.system": _system,
     "os.popen": _system,
-    "pexpect.spawn": _system,
+    **dict.fromkeys(("pexpect.spawn", "pexpect.run", "asyncio.create_subprocess_shell"), _system),
+    **dict.fromkeys(("pty.spawn", "asyncio.create_subprocess_exec"), _spawned(0)),
+    **{f"os.posix_spawn{suffix}": _spawned(1) for suffix in ("", "p")},
+    **{f"os.spawn{suffix}": _spawned(2) for suffix in _SUFFIXES},
     "subprocess._launches": _command,
-    **{f"os.exec{suffix}": _exec for suffix in ("l", "le", "lp", "lpe", "v", "ve", "vp", "vpe")},
+    **{f"os.exec{suffix}": _exec for suffix in _SUFFIXES},
     "runpy.run_path": _made_at_run_time,
     "runpy.run_module": _made_at_run_time,
     **dict.fromkeys(_FILES_AS_LIST, _listing),
