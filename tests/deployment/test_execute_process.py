@@ -46,6 +46,7 @@ def test_command_lines(action: tree.StartProcess, line: str) -> None:
         ("while true; do ros2 run demo a; done", ["demo/a"]),
         ("(ros2 run demo a || echo 'no & no') && ros2 run demo b", ["demo/a", "echo no & no", "demo/b"]),
         ("ros2 run demo a --x '$HOME' \"$(hostname)\" `date` ${SIDE}x", ["demo/a --x $HOME * * *x"]),
+        ("while [ -z `ros2 run demo a $(ros2 run demo b)` ]; do sleep 3; done", ["demo/b", "demo/a *", "sleep 3"]),
         ("ros2 run demo 'a", ["demo/'a"]),
     ],
 )

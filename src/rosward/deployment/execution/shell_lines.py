@@ -70,14 +70,21 @@ class Command(NamedTuple):
 def of_line(line: Value, look: Look, place: Place, depth: int = 0) -> list[Command]:
     """The commands of a line, in order."""
     given: dict[str, Value] = {}
-    found: list[Command] = []
-    for words in _commands(line, look, place):
+    inner_lines: list[Value] = []
+    commands = _commands(line, look, place, inner_lines)
+    found = [c for each in inner_lines if depth < _DEEP for c in of_line(each, look, place, depth + 1) if _matters(c)]
+    for words in commands:
         if plain_text(words[0]) == "export":
             given.update(_assignment(word) for word in words[1:] if _is_assignment(word))
             continue
         inner = started_by(words, look, place, shell=True, depth=depth)
         found += [each._replace(assigned=(*given.items(), *each.assigned)) for each in inner]
     return found
+
+
+def _matters(command: Command) -> bool:
+    """Whether a command whose output goes into a line is one of ROS or of Python; most others only look something up."""
+    return (plain_text(basename(command.words[0])) or "").startswith(("ros2", "python"))
 
 
 def started_by(
@@ -163,9 +170,11 @@ def split(text: Value) -> tuple[Value, ...]:
     return tuple(make(_restored(word, holes), origins_of(text)) for word in words)
 
 
-def _commands(line: Value, look: Look, place: Place) -> list[tuple[Value, ...]]:
+def _commands(line: Value, look: Look, place: Place, inner: list[Value]) -> list[tuple[Value, ...]]:
+    """The commands in words; `inner` gets the lines of which only the output stands in this one."""
     plain, holes = _with_marks(line)
-    plain = _expanded(plain.replace("\\\n", " ").replace("\n", " ; "), holes, look, place)
+    plain, within = _expanded(plain.replace("\\\n", " ").replace("\n", " ; "), holes, look, place)
+    inner += [make(_restored(each, holes), origins_of(line)) for each in within]
     reader = shlex.shlex(plain, posix=True, punctuation_chars=True)
     reader.whitespace_split = True
     reader.commenters = ""
@@ -207,9 +216,10 @@ def _restored(word: str, holes: Sequence[tuple[Part, ...]]) -> list[Part]:
     return [each for n, piece in enumerate(pieces) for each in (holes[int(piece)] if n % 2 else (piece,))]
 
 
-def _expanded(plain: str, holes: list[tuple[Part, ...]], look: Look, place: Place) -> str:
-    """The line with marks for variables and for what commands in it print."""
+def _expanded(plain: str, holes: list[tuple[Part, ...]], look: Look, place: Place) -> tuple[str, list[str]]:
+    """The line with marks for variables and for what commands in it print, and these commands."""
     done, number, quoted = "", 0, ""
+    inner: list[str] = []
     while number < len(plain):
         char = plain[number]
         if char == "\\" and quoted != "'":
@@ -219,13 +229,16 @@ def _expanded(plain: str, holes: list[tuple[Part, ...]], look: Look, place: Plac
         if char in "'\"" and quoted in ("", char):
             quoted = "" if quoted else char
         elif quoted != "'" and char in "$`" and (found := _expansion(plain, number, look, place)) is not None:
-            number, value = found
+            end, value = found
+            if char == "`" or plain.startswith("$(", number):
+                inner.append(plain[number + 1 + (char == "$") : end - 1])
+            number = end
             done += f"\0{len(holes)}\0"
             holes.append(parts_of(value))
             continue
         done += char
         number += 1
-    return done
+    return done, inner
 
 
 def _expansion(plain: str, number: int, look: Look, place: Place) -> tuple[int, Value] | None:
