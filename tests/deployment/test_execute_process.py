@@ -7,7 +7,7 @@ import pytest
 
 from deployment.execution import HERE, UNKNOWN, Run, share, shown, text
 from rosward.deployment import tree
-from rosward.deployment.execution.processes import split
+from rosward.deployment.execution.shell_lines import split
 from rosward.deployment.started import StartKind
 from rosward.domain.text import concat
 from rosward.domain.values import Const
@@ -31,6 +31,47 @@ def process(*words: str, shell: bool = False) -> tree.StartProcess:
 )
 def test_command_lines(action: tree.StartProcess, line: str) -> None:
     assert Run([action]).lines == [line]
+
+
+@pytest.mark.parametrize(
+    ("line", "lines"),
+    [
+        ("sleep 5; ros2 run demo talker", ["sleep 5", "demo/talker"]),
+        ("ros2 run demo a & ros2 run demo b -v", ["demo/a", "demo/b -v"]),
+        ("cd /tmp && exec ros2 run demo a --x > /tmp/log 2>&1", ["demo/a --x"]),
+        ("source /opt/ros/setup.bash\nros2 run demo a \\\n  -v", ["demo/a -v"]),
+        ("nice -n 5 ros2 run demo a | tee 'a; b'", ["demo/a", "tee a; b"]),
+        ("timeout -k 2 10 stdbuf -oL ros2 run demo a", ["demo/a"]),
+        ("bash -lc 'ros2 run demo a; exec bash'", ["demo/a"]),
+        ("while true; do ros2 run demo a; done", ["demo/a"]),
+        ("(ros2 run demo a || echo 'no & no') && ros2 run demo b", ["demo/a", "echo no & no", "demo/b"]),
+        ("ros2 run demo a --x '$HOME' \"$(hostname)\" `date` ${SIDE}x", ["demo/a --x $HOME * * *x"]),
+        ("while [ -z `ros2 run demo a $(ros2 run demo b)` ]; do sleep 3; done", ["demo/b", "demo/a *", "sleep 3"]),
+        ("ros2 run demo 'a", ["demo/'a"]),
+    ],
+)
+def test_lines_of_a_shell(line: str, lines: list[str]) -> None:
+    assert Run([process(line, shell=True)]).lines == lines
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("bash", "-c", "ros2 run demo talker"),
+        ("xterm", "-hold", "-e", "ros2", "run", "demo", "talker"),
+        ("xterm", "-e", "ros2 run demo talker"),
+        ("gnome-terminal", "--tab", "--", "bash", "-c", "ros2 run demo talker; exec bash"),
+        ("sudo", "-E", "ros2", "run", "demo", "talker"),
+    ],
+)
+def test_a_program_that_starts_another_one(words: tuple[str, ...]) -> None:
+    assert Run([process(*words)]).lines == ["demo/talker"]
+
+
+def test_variables_of_one_command() -> None:
+    one, two = Run([process("A=1 ros2 run demo a; export C=3; env B=2 ros2 run demo b", shell=True)]).started
+    assert one.configuration.environment == {"A": Const("1")}
+    assert two.configuration.environment == {"B": Const("2"), "C": Const("3")}
 
 
 def test_kinds() -> None:

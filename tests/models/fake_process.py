@@ -69,7 +69,7 @@ class FakeProcess:
         self.schedule_book = NoCallbacks()
         self.asked: set[tuple[str, str, str]] = set()
         self.raised = 0
-        self.choosing = False
+        self.choosing = 0
         self.is_alternative = False
         self.language_name = "python"
         self.via: str | None = None

@@ -68,6 +68,7 @@ _INERT: Final = frozenset(
         "killall",
         "pkill",
         "kill",
+        *("awk", "cut", "date", "grep", "head", "hostname", "sed", "sort", "tail", "tee", "which"),
     }
 )
 

@@ -15,7 +15,7 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Rang
 from rosward.domain.enumerated import Enumerated, Whole
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import common
-from rosward.domain.unknown import TAKEN_FOR_NOTHING, Cause, Reason
+from rosward.domain.unknown import TAKEN_FOR_NOTHING, Cause, Reason, of_library
 from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value, is_nan
 from rosward.location import Place
 
@@ -175,7 +175,7 @@ def reasons_of(value: Value) -> tuple[Reason, ...]:
     if value.__class__ is Tuple:
         return tuple(dict.fromkeys(r for o in value.items for r in reasons_of(o)))
     if value.__class__ is External:
-        return (Reason(Cause.MODULE, value.name, _NOWHERE),)
+        return (of_library(value.name),)
     return ()
 
 

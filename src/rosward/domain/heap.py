@@ -31,6 +31,12 @@ class Alternatives(NamedTuple):
     elements: tuple[tuple[Value, bool], ...]
 
 
+class Shuffled(NamedTuple):
+    """The payload of a list whose order is not known: what it holds, in some order. Each of its places holds any. Any write to the list drops it."""
+
+    items: tuple[Value, ...]
+
+
 MAX_ENDS: Final = 100
 """So many elements at both ends of a list of unknown length are kept in order."""
 
@@ -42,6 +48,9 @@ class Elements(TypedDict):
     rest: Value | None
     ends: Series | None
 
+
+_OF_ELEMENTS: Final = (Alternatives, Shuffled)
+"""The payloads that tell of the elements of a list."""
 
 ObjKind = Literal["instance", "list", "set", "dict", "class", "module", "cell", "generator"]
 """What an object of the heap is."""
@@ -121,7 +130,7 @@ class Obj:
         for name, value in changes.items():
             setattr(copy, name, value)
         if "items" in changes or "rest" in changes:
-            if copy.payload.__class__ is Alternatives and "payload" not in changes:
+            if copy.payload.__class__ in _OF_ELEMENTS and "payload" not in changes:
                 copy.payload = None
             if "ends" not in changes:
                 copy.ends = None

@@ -13,7 +13,7 @@ from operator import is_not
 from typing import Final, final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Alternatives, Obj, fields_of
+from rosward.domain.heap import Alternatives, Obj, Shuffled, fields_of
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.series import joined as joined_series
@@ -119,6 +119,8 @@ def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
         and left.ends == right.ends
     ):
         return result
+    if left.payload.__class__ is Shuffled and left.payload != right.payload:
+        left, result = left.replace(payload=None), result.replace(payload=None)
     if (
         left.items is not None
         and right.items is not None

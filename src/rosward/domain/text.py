@@ -12,14 +12,12 @@ from collections.abc import Iterable, Sequence
 from typing import Final
 
 from rosward.domain.compound import External
-from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
+from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason, of_library
 from rosward.domain.values import Choice, Const, Hole, Text, Unknown, Value
 from rosward.holes import Holed, holed
-from rosward.location import Place
 
 MAX_LENGTH: Final = 4096
 MAX_PARTS: Final = 32
-_NOWHERE: Final = Place("", 0)
 _PATHS: Final = frozenset((Cause.SHARE, Cause.PREFIX, Cause.SOURCES))
 
 
@@ -32,7 +30,7 @@ def parts_of(value: Value) -> tuple[str | Hole, ...]:
     if value.__class__ is Unknown:
         return (Hole(value.reasons, "digits" if value.hint == "int" else ""),)
     if value.__class__ is External:
-        return (Hole((Reason(Cause.MODULE, value.name, _NOWHERE),)),)
+        return (Hole((of_library(value.name),)),)
     if value.__class__ is Choice:
         holes = [p for option in value.options for p in parts_of(option) if isinstance(p, Hole)]
         return (Hole(tuple(dict.fromkeys(r for hole in holes for r in hole.reasons))[:4]),)

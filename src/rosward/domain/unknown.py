@@ -8,6 +8,7 @@ topic = os.environ.get('TOPIC', '/scan')    # '/scan', from Origin('environment 
 from __future__ import annotations
 
 import enum
+import sys
 from collections.abc import Iterable
 from typing import Final
 
@@ -62,6 +63,12 @@ class Reason(NamedTuple):
     def __str__(self) -> str:
         text = f"{self.cause.value}: {self.subject}" if self.subject else self.cause.value
         return f"{text} ({self.place})" if self.place.file else text
+
+
+def of_library(name: str) -> Reason:
+    """Why it is not known what a library holds under a name: its module is not among the sources, unless it is one of Python itself."""
+    own = name.partition(".")[0] in sys.stdlib_module_names
+    return Reason(Cause.CALL if own else Cause.MODULE, name, Place("", 0))
 
 
 OUTSIDE: Final = "any that is set from outside"

@@ -68,7 +68,7 @@ class Interpreter(Answers):
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
         self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
         self.hooked = False  # whether a class of the program has `__getattribute__`
-        self.choosing = False  # what is being called is one of several alternatives
+        self.choosing = 0  # what is being called is one of so many alternatives
         self.raised = 0
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last

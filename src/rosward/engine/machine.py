@@ -101,7 +101,7 @@ class Engine(Machine, Protocol):
     making: list[Class]
     unhooked: set[int] | None
     hooked: bool
-    choosing: bool
+    choosing: int
     noted: int
     handling: list[tuple[Value, int]]
     unheld: set[int]

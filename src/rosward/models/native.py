@@ -65,8 +65,8 @@ ResumptionKind = Literal["next", "send", "throw", "close"]
 class Machine(Execution, Protocol):
     """What the engine offers to a native. All of it acts on the current state of the interpretation."""
 
-    choosing: bool
-    """Whether what is being called is one of several alternatives."""
+    choosing: int
+    """Of how many alternatives what is being called is one; 0 where it is the only one."""
     raised: int
     """How many exceptions were raised so far: a call in which it grows is not remembered."""
 

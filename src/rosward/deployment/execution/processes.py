@@ -9,20 +9,22 @@ cmd=['python3', '/opt/tool.py', '--fast']            ->  Started(PROCESS, execut
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.execution.nodes import At, environment
+from rosward.deployment.execution.shell_lines import Command, of_line, split, started_by
 from rosward.deployment.execution.word_files import word_files
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import StartProcess
-from rosward.domain.choice import lift2, options
+from rosward.domain.choice import join, lift2, options
 from rosward.domain.text import concat, make, origins_of, parts_of
-from rosward.domain.unknown import Cause
-from rosward.domain.values import EMPTY, Const, Hole, Value
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import EMPTY, Const, Hole, Unknown, Value
 from rosward.effects.configuration import Configuration
+from rosward.location import Place
 from rosward.models.python.std.paths import basename
 from rosward.records import NamedTuple
 
@@ -45,45 +47,41 @@ class Launch(NamedTuple):
 def start_process(action: StartProcess, scene: Scene, at: At) -> list[Started | Launch]:
     """What the command line starts, for each alternative of a shell's command line."""
     words = [scene.text(word) for word in action.command]
-    lines = _shell_lines(words) if action.shell else [tuple(words)]
+    look = partial(_variable, scene, action.place)
+    lines = _joined(words) if action.shell else [None]
     at = at.maybe("a command line with several alternatives") if len(lines) > 1 else at
-    return [_process(line, words, action, scene, at) for line in lines if line]
+    found: list[Started | Launch] = []
+    for line in lines:
+        plain = tuple(words) if line is None else split(line)
+        commands = started_by(words, look, action.place) if line is None else of_line(line, look, action.place)
+        for each in commands:
+            shown = words if each.words == plain else each.words
+            found.append(_process(each, shown, action, scene, at))
+    return found
 
 
-def _shell_lines(words: Sequence[Value]) -> list[tuple[Value, ...]]:
+def _joined(words: Sequence[Value]) -> list[Value | None]:
+    """The line that a shell is given; its alternatives."""
     line: Value = EMPTY
     for index, word in enumerate(words):
         line = lift2(lambda a, b: concat((a, _BLANK, b)), line, word) if index else word
-    if len(options(line)) > _MOST:
-        return [tuple(words)]
-    return [split(option) for option in options(line)]
+    return list(options(line)) if len(options(line)) <= _MOST else [None]
 
 
-def split(text: Value) -> tuple[Value, ...]:
-    """The words of a text as a shell splits it, holes within words."""
-    holes: list[Hole] = []
-    plain = ""
-    for part in parts_of(text):
-        if isinstance(part, Hole):
-            plain += f"\0{len(holes)}\0"
-            holes.append(part)
-        else:
-            plain += part.replace("\0", "")
-    try:
-        words = shlex.split(plain)
-    except ValueError:
-        words = plain.split()
-    return tuple(make(_restored(word, holes), origins_of(text)) for word in words)
-
-
-def _restored(word: str, holes: Sequence[Hole]) -> list[str | Hole]:
-    return [holes[int(part)] if index % 2 else part for index, part in enumerate(word.split("\0"))]
+def _variable(scene: Scene, place: Place, name: str) -> Value:
+    """What a variable of the environment holds where the shell expands it."""
+    held = scene.context.variable(name)
+    if held is not None and held.sure:
+        return EMPTY if held.value is None else held.value
+    unknown = Unknown((Reason(Cause.ENVIRONMENT, name, place),), "str")
+    return unknown if held is None or held.value is None else join(held.value, unknown)
 
 
 def _process(
-    words: Sequence[Value], command: Sequence[Value], action: StartProcess, scene: Scene, at: At
+    started: Command, command: Sequence[Value], action: StartProcess, scene: Scene, at: At
 ) -> Started | Launch:
-    """`words` are those that the program gets, `command` those that the launch file gives."""
+    """`command`: the words that are shown, those of the launch file where these are the same."""
+    words = started.words
     program = plain_text(basename(words[0])) if len(options(words[0])) == 1 else None
     verb = plain_text(words[1]) if len(words) > 1 else None
     kind, package, rest = StartKind.PROCESS, None, tuple(words[1:])
@@ -100,7 +98,10 @@ def _process(
     elif program in _PYTHON and len(words) > 1 and not (verb or "").startswith("-"):
         executable, rest = words[1], tuple(words[2:])
     own = word_files(rest, scene, action.place)
-    given = environment(action.environment, action.replaces_environment, scene, action.place)
+    given = {
+        **environment(action.environment, action.replaces_environment, scene, action.place),
+        **dict(started.assigned),
+    }
     return Started(
         kind=kind,
         place=action.place,

@@ -24,7 +24,7 @@ def run_body(
     """Interpret a body in a frame of its own; the value returned."""
     code = function.code
     machine.trace.entered.add(code.key)
-    machine.choosing = False
+    machine.choosing = 0
     if context is None:
         context = context_of(machine, code, caller)
     full = [*registers, *([UNBOUND] * (code.registers - len(registers)))]

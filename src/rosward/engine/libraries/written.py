@@ -29,7 +29,7 @@ from rosward.domain.compound import (
     Super,
     Tuple,
 )
-from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.heap import Alternatives, Obj, Shuffled
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import (
@@ -56,7 +56,7 @@ __all__ = ["Lines", "NotWrittenError", "Reader", "Writer"]
 _TUPLE, _LIST, _DICT, _SET, _BYTES, _COMPLEX, _CAUSE, _KIND, _CLASS, _CODE, _ARGUMENTS, _UNBOUND, _CONST = range(13)
 _FIRST: Final = 13
 _CLASSES: Final[tuple[Any, ...]] = (
-    *(External, Native, BoundMethod, Partial, Descriptor, Super, Slice, Range, Tuple, Alternatives, Series),
+    *(External, Native, BoundMethod, Partial, Descriptor, Super, Slice, Range, Tuple, Alternatives, Shuffled, Series),
     *(Origin, Reason, Choice, Function, Hole, ModuleValue, Ref, Text, Unknown, Place, Parameters, Obj, Given),
     *(ops.Argument, ops.Assume, ops.Await, ops.Binary, ops.Break, ops.Build, ops.Call, ops.Compare, ops.Const),
     *(ops.Continue, ops.Delete, ops.ForEach, ops.Format, ops.Handler, ops.If, ops.Import, ops.ImportFrom),

@@ -138,11 +138,11 @@ def _call_choice(machine: Engine, function: Choice, args: Arguments, keywords: K
     callees = [o for o in function.options if o != NONE] or list(function.options)
 
     def one(option: Value) -> Value:
-        machine.choosing = True
+        machine.choosing = len(callees)
         try:
             return call(machine, option, args, keywords)
         finally:
-            machine.choosing = False
+            machine.choosing = 0
 
     return each_apart(machine, callees, one) if len(callees) > 1 else call(machine, callees[0], args, keywords)
 
@@ -307,6 +307,10 @@ def call_method(machine: Engine, value: Value, name: str, args: Arguments) -> Va
     return call(machine, method, args, {})
 
 
+_FEW_CALLEES: Final = 4
+"""Of so many functions that may be meant, it is told which do not take the arguments. What gets more of them from a table gives each its own."""
+
+
 def call_function(machine: Engine, function: Function, args: Arguments, keywords: Keywords) -> Value:
     """A function of the program or of a model."""
     code = function.code
@@ -314,7 +318,8 @@ def call_function(machine: Engine, function: Function, args: Arguments, keywords
         registers = bind_arguments(machine, function, args, keywords)
     except BadCallError as error:
         # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
-        if not declared.is_model(function) or function.module.name.startswith(machine.library.facts.exact):
+        exact = not declared.is_model(function) or function.module.name.startswith(machine.library.facts.exact)
+        if exact and machine.choosing <= _FEW_CALLEES:
             raises = "may raise" if machine.choosing else "raises"
             machine.report("RW209", f"this call of {code.qualname} {raises} TypeError: {error}")
         note(machine)

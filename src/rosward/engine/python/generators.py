@@ -248,7 +248,7 @@ def _run_from(
             return None
         return NONE, machine.state
     machine.trace.entered.add(code.key)
-    machine.choosing = False
+    machine.choosing = 0
     registers = list(values[: code.registers])
     registers += [UNBOUND] * (code.registers - len(registers))
     frame = Frame(code, registers, cells, function.module, context, declared.is_model(function))

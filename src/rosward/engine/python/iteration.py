@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Native, Tuple
-from rosward.domain.heap import Obj
+from rosward.domain.heap import Obj, Shuffled
 from rosward.domain.series import Series
 from rosward.domain.state import element, join_states
 from rosward.domain.suspended import ANY_TURN
@@ -24,7 +24,9 @@ from rosward.engine.control import behind, roughly, turn, until_stable
 from rosward.engine.python import abandoned, attributes, calls, classes, contents, metaclasses, stepping
 from rosward.engine.running.frame import Frame, Snapshot
 from rosward.ir import ops
+from rosward.ir.op import Block
 from rosward.models.native import Items
+from rosward.models.python.containers.any_order import in_places, unordered
 from rosward.models.python.containers.lists import ITERATOR, VIEW, write_series
 from rosward.models.python.operators import operators
 from rosward.records import NamedTuple
@@ -63,7 +65,7 @@ def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None
         source = stepping.iterator_of(machine, source, asynchronous=op.is_async)
         alive = _over_iterator(machine, op, frame, context, source, begun)
     else:
-        found = iterate(machine, source) if begun is None else begun.ahead
+        found = _found(machine, op, source) if begun is None else begun.ahead
         alive = _over_items(machine, op, frame, context, source, found, begun)
     machine.precision.end_loop(op, frame)
     frame.context = context
@@ -159,6 +161,24 @@ def _over_items(
     return until_stable(machine, op, frame, None, feed)
 
 
+def _found(machine: Engine, op: ops.ForEach, source: Value) -> Items:
+    """What a loop runs over: each element once, or what may stand where if it may be left before all had their turn."""
+    if source.__class__ is Ref and unordered(machine.obj(source)) and _may_leave(op.body, nested=False):
+        return in_places(machine, source)
+    return iterate(machine, source)
+
+
+def _may_leave(block: Block, *, nested: bool) -> bool:
+    """Whether a turn may end the loop, or the function that it stands in."""
+    for op in block:
+        if op.__class__ is ops.Return or (op.__class__ is ops.Break and not nested):
+            return True
+        inside = nested or op.__class__ in (ops.ForEach, ops.While)
+        if any(_may_leave(each, nested=inside) for each in getattr(op, "blocks", ())):
+            return True
+    return False
+
+
 def _ahead(machine: Engine, found: Items, live: Ref | None, *, anywhere: bool) -> Items:
     """What is ahead when a loop begins, or goes on: after any number of turns anything. `live`: the list over which it begins."""
     if anywhere:
@@ -203,9 +223,11 @@ def _is_drained(machine: Engine, value: Ref) -> bool:
 
 
 def _sizes(machine: Engine, source: Value) -> list[int | None]:
-    """The lengths of the lists that a choice of them holds."""
+    """The lengths of the lists that a choice of them holds, and of a list of unknown order."""
     if not isinstance(source, Choice):
-        return []
+        record = machine.obj(source) if isinstance(source, Ref) else None
+        shuffled = record is not None and record.payload.__class__ is Shuffled
+        return [None if record.items is None else len(record.items)] if record is not None and shuffled else []
     records = [machine.obj(o) for o in source.options if isinstance(o, Ref) and _is_list(machine, o)]
     return [None if r.items is None else len(r.items) for r in records]
 

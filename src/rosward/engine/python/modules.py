@@ -96,11 +96,17 @@ def import_star(machine: Engine, op: ops.ImportStar, frame: Frame) -> bool:
     here = machine.at(frame.module.address)
     attrs = {**here.attrs, **taken}
     theirs = record.attrs.get(_STARS)
-    if isinstance(theirs, Tuple):
+    further = (*(theirs.items if isinstance(theirs, Tuple) else ()), *_also_beyond(machine, module))
+    if further:
         before = here.attrs.get(_STARS)
-        attrs[_STARS] = Tuple((*(before.items if isinstance(before, Tuple) else ()), *theirs.items))
+        attrs[_STARS] = Tuple((*(before.items if isinstance(before, Tuple) else ()), *further))
     machine.put(frame.module.address, here.replace(attrs=attrs))
     return True
+
+
+def _also_beyond(machine: Engine, module: ModuleValue) -> tuple[Value, ...]:
+    """The module itself where it is a model: the library has more names than that says."""
+    return (module,) if machine.library.is_model_file(module.file) else ()
 
 
 def load(machine: Engine, name: str, frame: Frame | None, level: int = 0) -> Value:
@@ -288,9 +294,13 @@ def _from_stars(machine: Engine, record: Obj, name: str, *, sure: bool = False) 
     stars = record.attrs.get(_STARS)
     if not isinstance(stars, Tuple) or not stars.items or name.startswith("_"):
         return None
+    models = [m.name for m in stars.items if m.__class__ is ModuleValue]
+    found = next((f"{m}.{name}" for m in models[::-1] if machine.library.native(f"{m}.{name}")), None)
+    if found is not None:
+        return Native(found)
     modules = [m.name for m in stars.items if isinstance(m, External)]
     knowing = [m for m in modules if machine.library.interface_has(m, name)]
-    open_ = [m for m in modules if machine.library.interface_has(m, name) is None]
+    open_ = [*(m for m in modules if machine.library.interface_has(m, name) is None), *models]
     if knowing:
         return External(f"{knowing[0]}.{name}")
     if sure:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.heap import Alternatives, Obj, Shuffled
 from rosward.domain.suspended import Suspension
 from rosward.domain.values import Value
 
@@ -30,6 +30,8 @@ def values_in(obj: Obj) -> Iterator[Value]:
     payload = obj.payload
     if payload.__class__ is Alternatives:
         yield from (value for value, _ in payload.elements)
+    elif payload.__class__ is Shuffled:
+        yield from payload.items
     elif isinstance(payload, Value):
         yield payload
     elif isinstance(payload, Suspension):

@@ -219,8 +219,8 @@ def _becomes_generator(scope: Scope) -> None:
 
 
 def _runs_elsewhere(node: ast.GeneratorExp) -> bool:
-    """Whether a generator expression assigns variables around it, or awaits: it is taken for a list."""
-    return any(isinstance(n, (ast.NamedExpr, ast.Await)) or getattr(n, "is_async", 0) for n in ast.walk(node))
+    """Whether a generator expression awaits: it is taken for a list."""
+    return any(isinstance(n, ast.Await) or getattr(n, "is_async", 0) for n in ast.walk(node))
 
 
 def _read_too_early(generators: list[ast.comprehension]) -> list[str]:
@@ -275,6 +275,9 @@ def _match_mapping(symbols: Symbols, scope: Scope, node: ast.MatchMapping) -> No
 def _walrus(symbols: Symbols, scope: Scope, node: ast.NamedExpr) -> None:
     name = scope.mangle(node.target.id)
     owner = scope.owner
+    while FIRST in owner.bound and owner.parent is not None:  # a generator expression assigns to a variable around it
+        owner.at_once = False
+        owner = owner.parent.owner
     owner.bound[name] = None
     owner.walrus[name] = owner.walrus.get(name, 0) + 1
     scope.used[name] = None

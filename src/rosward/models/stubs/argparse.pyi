@@ -104,6 +104,13 @@ class _Declared(Action):
             setattr(namespace, self.dest, self._open())
             if not isinstance(self._action, str):
                 self._custom(parser, namespace)
+    def _store_beside(self, namespace, known, first):
+        """`first` has the same attribute: its default counts. Where that may be given anything, this one gives nothing else."""
+        if known is None and hasattr(namespace, self.dest):
+            if self._action == 'store_const':
+                setattr(namespace, self.dest, either(getattr(namespace, self.dest), self.const))
+            elif self._action == 'store' and first._action != 'store':
+                setattr(namespace, self.dest, either(getattr(namespace, self.dest), self._of_command_line()))
     def _unset(self):
         if self._action == 'store_true' and 'default' not in self._given:
             return False
@@ -220,8 +227,13 @@ class ArgumentParser(_ActionsContainer):
         self._sub.append(made)
         return made
     def _fill(self, namespace, known, weak):
+        stored = {}
         for action in self._actions:
-            action._store(self, namespace, known)
+            if action.dest in stored:
+                action._store_beside(namespace, known, stored[action.dest])
+            else:
+                action._store(self, namespace, known)
+                stored[action.dest] = action
         for name in self._defaults:
             value = self._defaults[name]
             if weak and hasattr(namespace, name):

@@ -10,9 +10,20 @@ class Values(argparse.Namespace):
     def ensure_value(self, attr, value):
         return getattr(self, attr, value)
 
+_TYPES = {'int': int, 'long': int, 'float': float, 'complex': complex, 'string': str, 'choice': str}
+
 class OptionContainer(argparse._ActionsContainer):
     def add_option(self, *args, **kwargs):
-        return self.add_argument(*args, **kwargs)
+        if kwargs.get('type') in _TYPES:
+            kwargs['type'] = _TYPES[kwargs['type']]
+        made = self.add_argument(*args, **kwargs)
+        for other in self._actions:  # the last default that is written counts
+            if other is not made and other.dest == made.dest:
+                if 'default' in kwargs:
+                    other.default = made.default
+                else:
+                    made.default = other.default
+        return made
 
 class OptionGroup(OptionContainer):
     def __init__(self, parser, title, description=None):
@@ -24,15 +35,20 @@ class OptionParser(OptionContainer):
                  formatter=None, add_help_option=True, prog=None, epilog=None):
         self._actions = []
         self._defaults = {}
+        self._sub = []
         self.usage = usage
     def add_option_group(self, *args, **kwargs):
         return args[0] if args else None
     def parse_args(self, args=None, values=None):
         target = Values() if values is None else values
-        for action in self._actions:
-            action._store(self, target, None)
-        for name in self._defaults:
-            setattr(target, name, self._defaults[name])
+        arguments = sys.argv[1:] if args is None else args
+        found = argparse._exact(self._actions, arguments, True, '-')
+        if found is not None:
+            argparse.ArgumentParser._fill(self, target, found[0], False)
+            return target, found[1]
+        argparse.ArgumentParser._fill(self, target, None, False)
+        if not argparse._is_typed(arguments):
+            argparse.ArgumentParser._loosen(self, target)
         return target, unknown('argument', 'sys.argv', 'list')
     def print_help(self, file=None):
         ask(file, 'write', unknown('call', 'text that a library writes', 'str'))

@@ -30,6 +30,7 @@ from rosward.models.python.builtins.attributes import has_attribute
 from rosward.models.python.comparing.compare import kind_of
 from rosward.models.python.comparing.equal_objects import member_value
 from rosward.models.python.containers import dicts
+from rosward.models.python.containers.any_order import keep_unordered
 from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
 from rosward.models.python.containers.lists import ITERATOR, VIEW, new_tuple
 from rosward.models.python.containers.sets import new_set
@@ -109,6 +110,8 @@ def _series(call: NativeCall) -> Series:
 def _list(call: NativeCall) -> Value:
     made = listed(call.machine, call.name, *_series(call))
     keep_told(call.machine, made, (elements_apart(call.machine, a) for a in call.args[:1]))
+    for source in call.args[:1]:
+        keep_unordered(call.machine, made, source)
     return made
 
 

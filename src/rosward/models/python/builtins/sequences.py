@@ -19,6 +19,7 @@ from rosward.models.python.builtins.attributes import has_attribute
 from rosward.models.python.builtins.lazy import acts, lazily, shared, stepped
 from rosward.models.python.comparing.compare import comparable
 from rosward.models.python.comparing.equal_objects import member_value
+from rosward.models.python.containers.any_order import in_places
 from rosward.models.python.containers.lists import ITERATOR, order, write_series
 from rosward.models.python.containers.views import renewed
 from rosward.models.python.plain import (
@@ -59,7 +60,7 @@ def _enumerate(call: NativeCall) -> Value:
     machine = call.machine
     if stepped(call, call.args[:1]):
         return lazily(call, "enumerate", call.args[0], call.arg(1, "start", Const(0)) or Const(0))
-    known, rest = machine.iterate(call.args[0])
+    known, rest = in_places(machine, call.args[0])
     begin = call.arg(1, "start", Const(0)) or Const(0)
     first = int_of(begin)
     number = unknown_from(machine, "enumerate", "int", begin if first is None else rest)
@@ -70,7 +71,7 @@ def _enumerate(call: NativeCall) -> Value:
 def _zip(call: NativeCall) -> Value:
     if shared(call, call.args):
         return lazily(call, "zip", *call.args, **call.keywords)
-    columns = [call.machine.iterate(a) for a in call.args]
+    columns = [in_places(call.machine, a) for a in call.args]
     if call.loose is not None:  # `zip(*rows)`: rows of unknown length
         cells = (element for c in (*columns, call.machine.iterate(call.loose)) for element in all_of(c))
         row = join_all((*cells, unknown_from(call.machine, "zip", "", call.loose)))

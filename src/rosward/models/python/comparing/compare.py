@@ -15,6 +15,7 @@ from typing import Final
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Tuple
 from rosward.domain.enumerated import Whole, same_number
+from rosward.domain.heap import Shuffled
 from rosward.domain.series import Series
 from rosward.domain.slots import Enumerated
 from rosward.domain.text import matches, parts_of
@@ -339,7 +340,7 @@ def contains(machine: Machine, container: Value, item: Value) -> tuple[bool | No
     if isinstance(shown, Tuple) and shown.items[1] == KEYS and isinstance(shown.items[0], Ref):
         obj = machine.obj(shown.items[0])
     if obj.kind in ("list", "set"):
-        series = obj.series()
+        series = Series(obj.payload.items) if obj.payload.__class__ is Shuffled else obj.series()
         items = (*series.head, *series.tail)
         return _among(machine, items, series.middle, item), origins(*items)
     if obj.kind == "dict":

@@ -249,7 +249,9 @@ def _sort(call: NativeCall) -> Value:
     if ref is not None:
         obj = call.machine.obj(ref)
         if obj.items is not None:
-            ordered = order(call.machine, Items(obj.items), call.keywords.get("key"), call.keywords.get("reverse"))
+            ordered = order(
+                call.machine, call.machine.iterate(ref), call.keywords.get("key"), call.keywords.get("reverse")
+            )
             write(call.machine, ref, ordered.known)
         elif obj.rest is not None:
             order(call.machine, Items((), obj.rest), call.keywords.get("key"), None)

@@ -15,6 +15,7 @@ from typing import Final
 
 from rosward.domain.choice import join, options
 from rosward.domain.compound import External, Native, Range, Tuple
+from rosward.domain.heap import Shuffled
 from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause, Origins
@@ -22,6 +23,7 @@ from rosward.domain.values import Choice, Class, Const, Ref, Text, Unknown, Valu
 from rosward.models.native import Items, Machine
 from rosward.models.python.comparing.compare import compare, contains, equal, kind_of
 from rosward.models.python.containers import dicts
+from rosward.models.python.containers.any_order import places
 from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
 from rosward.models.python.containers.sets import FROZEN, combine, distinct
 from rosward.models.python.containers.views import renewed
@@ -305,6 +307,8 @@ def _iterate(machine: Machine, value: Value) -> Items:
 def _iterate_object(machine: Machine, ref: Ref) -> Items:
     obj = renewed(machine, ref)
     if obj.kind in ("list", "set"):
+        if obj.payload.__class__ is Shuffled:
+            return Items(obj.payload.items)
         series = obj.series()
         return Items(series.head, series.behind_head())
     if obj.kind == "dict":
@@ -319,7 +323,7 @@ def series(machine: Machine, value: Value) -> Series:
         if isinstance(option, Tuple):
             found.append(Series(option.items))
         elif isinstance(option, Ref) and machine.obj(option).kind in ("list", "set"):
-            found.append(renewed(machine, option).series())
+            found.append(places(renewed(machine, option)))
         elif isinstance(option, Ref) and machine.obj(option).rest is not None:
             return Series(*machine.iterate(value)).loose()  # where the unknown keys of a dict stand, nobody knows
         else:

@@ -7,6 +7,7 @@ sys.exit(1)                                                      the path ends w
 
 from __future__ import annotations
 
+import sys
 from typing import Final
 
 from rosward.domain.choice import options
@@ -50,16 +51,57 @@ def launches(call: NativeCall, command: Value) -> None:
         call.machine.note_creation(new=True, exact=False)
     for option in options(command):
         words = _words(call, option)
-        names = [w.rpartition("/")[2].strip("'\"();&|") for w in words]
-        if names and names[0] in _ONLY_LOOK:
-            continue
-        if any(n in _STARTERS or n.endswith((".launch.py", ".launch.xml")) for n in names) or _runs_python(names):
-            code = "RW211" if _is_tool(names) else "RW210"
+        found = {_judged(names) for names in _commands(words, shell=not isinstance(option, (Ref, Tuple)))}
+        code = next((c for c in ("RW210", "RW211") if c in found), "")
+        if code:
             message = f"{call.name.removesuffix('._launches')} starts `{' '.join(words)[:200]}`"
             call.machine.report(code, message, (f"call ({call.machine.place})",))
             return
 
 
+def _commands(words: list[str], *, shell: bool) -> list[list[str]]:
+    """The commands of a line, without their folders; one that no shell reads is one."""
+    found: list[list[str]] = [[]]
+    for word in words:
+        bare = word.strip("'\"()")
+        several = shell or (bool(found[0]) and found[0][0] in _SHELLS)
+        if not several or bare.strip(";&|"):
+            found[-1].append(word.rpartition("/")[2].strip("'\"();&|"))
+        if several and bare.endswith((";", "&", "|")):
+            found.append([])
+    return found
+
+
+def _judged(names: list[str]) -> str:
+    """What is told of a command: '' where it starts nothing of ROS and no Python."""
+    while names and (names[0] in _BEFORE or "=" in names[0] or names[0].startswith("-") or names[0].isdigit()):
+        names = names[1:]
+    if not names or names[0] in _ONLY_LOOK:
+        return ""
+    if any(n in _STARTERS or n.endswith((".launch.py", ".launch.xml")) for n in names) or _runs_python(names):
+        return "RW211" if _is_tool(names) else "RW210"
+    return ""
+
+
+_TOOLS: Final = frozenset({"pip", "pytest", "build", "mypy", "ruff", "black", "flake8", "coverage"})
+"""Modules that are run by `python -m` and are no nodes."""
+_SHELLS: Final = frozenset({"bash", "sh", "zsh", "dash"})
+_BEFORE: Final = _SHELLS | {
+    "exec",
+    "nohup",
+    "setsid",
+    "sudo",
+    "env",
+    "time",
+    "nice",
+    "timeout",
+    "stdbuf",
+    "xterm",
+    "gnome-terminal",
+    "do",
+    "then",
+}
+"""Words before the program that a command starts in the end."""
 _ONLY_LOOK: Final = frozenset({"pgrep", "pkill", "killall", "kill", "grep", "echo", "which"})
 """Programs that look for others, or end them: what stands behind starts nothing."""
 
@@ -69,13 +111,17 @@ _STARTING: Final = frozenset({"run", "launch", "component", "bag"})
 
 def _is_tool(names: list[str]) -> bool:
     """Whether a command is one of ROS's own tools that asks or tells something and starts no node."""
-    return (
-        len(names) > 1 and names[0] == "ros2" and names[1].isalpha() and names[1] not in _STARTING and "&&" not in names
-    )
+    return len(names) > 1 and names[0] == "ros2" and names[1].isalpha() and names[1] not in _STARTING
 
 
 def _runs_python(names: list[str]) -> bool:
-    return bool(names) and names[0].startswith("python") and any(n.endswith(".py") for n in names[1:])
+    """`python3 node.py`, `python3 -m arm.node`, also where the interpreter is `sys.executable`, which is not known."""
+    if not names or not names[0].startswith(("python", "*")):
+        return False
+    if "-m" in names[1:-1]:
+        module = names[names.index("-m") + 1].partition(".")[0]
+        return module not in sys.stdlib_module_names and module not in _TOOLS
+    return any(n.endswith(".py") for n in names[1:])
 
 
 def _command(call: NativeCall) -> Value:
@@ -92,12 +138,27 @@ def _system(call: NativeCall) -> Value:
     return call.machine.unknown(Cause.CALL, call.name, "int" if call.name.endswith("system") else "")
 
 
-def _exec(call: NativeCall) -> Value:
-    """os.exec*: the program is replaced by another one."""
+def _of_words(call: NativeCall, words: tuple[Value, ...]) -> None:
+    """Report a command that is given in words, or in lists of them."""
     flat: list[Value] = []
-    for arg in call.args[1:]:
+    for arg in words:
         flat.extend(call.machine.iterate(arg).known if isinstance(arg, (Ref, Tuple)) else (arg,))
     launches(call, Tuple(tuple(flat)))
+
+
+def _spawned(behind: int) -> NativeFunction:
+    """What starts a program beside this one; its words begin behind so many arguments."""
+
+    def spawn(call: NativeCall) -> Value:
+        _of_words(call, call.args[behind:])
+        return call.machine.unknown(Cause.CALL, call.name)
+
+    return spawn
+
+
+def _exec(call: NativeCall) -> Value:
+    """os.exec*: the program is replaced by another one."""
+    _of_words(call, call.args[1:])
     return call.machine.die("SystemExit", "replaced by another program")
 
 
@@ -140,6 +201,9 @@ def _listing(call: NativeCall) -> Value:
     return call.machine.new_list((), call.machine.unknown(Cause.FILE, where, hint))
 
 
+_SUFFIXES: Final = ("l", "le", "lp", "lpe", "v", "ve", "vp", "vpe")
+"""How the functions of `os` that start a program are told apart."""
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "sys.exit": _exit,
     "os._exit": _exit,
@@ -147,9 +211,12 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "sys._argv": _argv,
     "os.system": _system,
     "os.popen": _system,
-    "pexpect.spawn": _system,
+    **dict.fromkeys(("pexpect.spawn", "pexpect.run", "asyncio.create_subprocess_shell"), _system),
+    **dict.fromkeys(("pty.spawn", "asyncio.create_subprocess_exec"), _spawned(0)),
+    **{f"os.posix_spawn{suffix}": _spawned(1) for suffix in ("", "p")},
+    **{f"os.spawn{suffix}": _spawned(2) for suffix in _SUFFIXES},
     "subprocess._launches": _command,
-    **{f"os.exec{suffix}": _exec for suffix in ("l", "le", "lp", "lpe", "v", "ve", "vp", "vpe")},
+    **{f"os.exec{suffix}": _exec for suffix in _SUFFIXES},
     "runpy.run_path": _made_at_run_time,
     "runpy.run_module": _made_at_run_time,
     **dict.fromkeys(_FILES_AS_LIST, _listing),

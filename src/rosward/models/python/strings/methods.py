@@ -17,6 +17,7 @@ from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Text, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.python.containers.any_order import each_order
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,
@@ -278,7 +279,12 @@ def _join(call: NativeCall) -> Value:
     machine = call.machine
 
     def one(separator: Value, iterable: Value) -> Value:
-        known, rest = machine.iterate(iterable)
+        orders = each_order(machine, iterable)
+        if orders is None:
+            return machine.unknown(Cause.RANDOM, "order of a set", "str")
+        return join_all(put_together(separator, *order) for order in orders)
+
+    def put_together(separator: Value, known: tuple[Value, ...], rest: Value | None) -> Value:
         pieces: list[Value] = []
         for item in known:
             if isinstance(item, Const) and not isinstance(item.value, str):
