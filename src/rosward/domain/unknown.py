@@ -8,13 +8,13 @@ topic = os.environ.get('TOPIC', '/scan')    # '/scan', from Origin('environment 
 from __future__ import annotations
 
 import enum
-import sys
 from collections.abc import Iterable
 from typing import Final
 
 from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.rules import MADE_ANEW
+from rosward.source.standard_library import STANDARD_LIBRARY
 
 
 class Cause(enum.Enum):
@@ -67,7 +67,7 @@ class Reason(NamedTuple):
 
 def of_library(name: str) -> Reason:
     """Why it is not known what a library holds under a name: its module is not among the sources, unless it is one of Python itself."""
-    own = name.partition(".")[0] in sys.stdlib_module_names
+    own = name.partition(".")[0] in STANDARD_LIBRARY
     return Reason(Cause.CALL if own else Cause.MODULE, name, Place("", 0))
 
 

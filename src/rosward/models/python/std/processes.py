@@ -7,7 +7,6 @@ sys.exit(1)                                                      the path ends w
 
 from __future__ import annotations
 
-import sys
 from typing import Final
 
 from rosward.domain.choice import options
@@ -17,6 +16,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Text, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.plain import text_of
+from rosward.source.standard_library import STANDARD_LIBRARY
 
 _STARTERS: Final = frozenset({"ros2", "rosrun", "roslaunch", "rviz2", "rqt", "gzserver", "gzclient", "gazebo"})
 
@@ -120,7 +120,7 @@ def _runs_python(names: list[str]) -> bool:
         return False
     if "-m" in names[1:-1]:
         module = names[names.index("-m") + 1].partition(".")[0]
-        return module not in sys.stdlib_module_names and module not in _TOOLS
+        return module not in STANDARD_LIBRARY and module not in _TOOLS
     return any(n.endswith(".py") for n in names[1:])
 
 
