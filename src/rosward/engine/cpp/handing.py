@@ -4,6 +4,7 @@
 vendor::Bus bus(port, &handler);      `port` may be another text afterwards; what the handler holds may change, and its functions be called
 connect(&Window::on_click, this);     a member function together with an object is called on that
 factory.register_type<Say>("Say");    a Say may be made, with anything
+vendor::Link<Say> link(say);          here it says what is given: none is made
 """
 
 from __future__ import annotations
@@ -66,7 +67,8 @@ def hand_over(
     if machine.watch is not None:
         machine.watch.strange(name)
     held = _bound(machine, [bare(machine, v) for v in values])
-    machine.escape((*held, *(t for t in types if isinstance(t, Class))), name, callee)
+    made = [t for t in types if isinstance(t, Class) and not any(_is_a(machine, o, t) for v in held for o in options(v))]
+    machine.escape((*held, *made), name, callee)
     for value in held if informed else ():
         change(machine, value, name, informed=True)
     for each in (o for v in values for o in options(read(machine, v)) if is_inserter(o)):
@@ -78,6 +80,12 @@ def hand_over(
             write(machine, slot, machine.unknown(Cause.CALL, name), weak=True)
     if throws:
         note_call(machine)  # now, or before it wrote anything: what it may have written covers both
+
+
+def _is_a(machine: Engine, value: Value, cls: Class) -> bool:
+    """Whether a value is an object of a class, or of one that derives from it."""
+    own = machine.obj(value).cls if isinstance(value, Ref) else None
+    return isinstance(own, Class) and cls in own.mro
 
 
 def _from_there(machine: Engine, slot: Slot) -> Iterable[Slot]:
@@ -174,8 +182,7 @@ def objects_of(machine: Engine, scope: ModuleValue, objects: Sequence[Value]) ->
         return []
     found: list[Ref] = []
     for ref in objects:
-        cls = machine.obj(ref).cls if isinstance(ref, Ref) else None
-        if isinstance(ref, Ref) and isinstance(cls, Class) and info.cls in cls.mro:
+        if isinstance(ref, Ref) and info.cls is not None and _is_a(machine, ref, info.cls):
             found.append(ref)
     return found
 
