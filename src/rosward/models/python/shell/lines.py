@@ -70,6 +70,8 @@ _SETTERS: Final = frozenset({"export", "declare", "typeset", "readonly", "local"
 _ASSIGNED: Final = re.compile(r"([A-Za-z_]\w*)=")
 _NAME: Final = re.compile(r"[A-Za-z_]\w*")
 _BLANK: Final = Const(" ")
+_LONGEST: Final = 4_096
+"""What a line gives a variable is known up to so many characters: `X=$X$X` makes more of them at each time."""
 
 
 class Command(NamedTuple):
@@ -182,6 +184,8 @@ class _Shell:
 
     def _set(self, name: str, value: Value, exports: bool) -> None:
         if _NAME.fullmatch(name):
+            if sum(len(p) for p in parts_of(value) if isinstance(p, str)) > _LONGEST:
+                value = Unknown((Reason(Cause.LIMIT, name, self.place),), "str")
             self.own[name] = value
             if exports or name in self.exported:
                 self.exported[name] = value
