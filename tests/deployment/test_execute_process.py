@@ -7,10 +7,10 @@ import pytest
 
 from deployment.execution import HERE, UNKNOWN, Run, share, shown, text
 from rosward.deployment import tree
-from rosward.deployment.execution.shell_lines import split
 from rosward.deployment.started import StartKind
 from rosward.domain.text import concat
 from rosward.domain.values import Const
+from rosward.models.python.shell.words import split
 
 
 def process(*words: str, shell: bool = False) -> tree.StartProcess:
@@ -47,11 +47,100 @@ def test_command_lines(action: tree.StartProcess, line: str) -> None:
         ("(ros2 run demo a || echo 'no & no') && ros2 run demo b", ["demo/a", "echo no & no", "demo/b"]),
         ("ros2 run demo a --x '$HOME' \"$(hostname)\" `date` ${SIDE}x", ["demo/a --x $HOME * * *x"]),
         ("while [ -z `ros2 run demo a $(ros2 run demo b)` ]; do sleep 3; done", ["demo/b", "demo/a *", "sleep 3"]),
-        ("ros2 run demo 'a", ["demo/'a"]),
+        ("ros2 run demo 'a", ["demo/a"]),
+        ("ros2 run demo a # ; ros2 run demo b\nros2 run demo c#d", ["demo/a", "demo/c#d"]),
+        ("cat <<EOF > x\nros2 run demo a\nEOF\nros2 run demo b", ["cat", "demo/b"]),
+        ("bash -s <<'EOF'\nros2 run demo a\nEOF\nros2 run demo b", ["demo/a", "demo/b"]),
+        ("f() { ros2 run demo a; }; f", ["demo/a"]),
+        ("function f { ros2 run demo a; }; f", ["demo/a"]),
+        ("grep ';' x | cut -d '|' -f1", ["grep ; x", "cut -d | -f1"]),
+        ("trap 'ros2 run demo a' EXIT; eval \"ros2 run demo b\"", ["demo/a", "demo/b"]),
+        ("taskset -c 1 ros2 run demo a; sudo -n -u ros-user ros2 run demo b", ["demo/a", "demo/b"]),
+        ("ros2 run demo a 2>&1 >/dev/null&ros2 run demo b<in&&ros2 run demo c", ["demo/a", "demo/b", "demo/c"]),
+        ("cat <(ros2 run demo a)", ["cat", "demo/a"]),
     ],
 )
 def test_lines_of_a_shell(line: str, lines: list[str]) -> None:
     assert Run([process(line, shell=True)]).lines == lines
+
+
+@pytest.mark.parametrize(
+    ("line", "lines"),
+    [
+        ("X=a; ros2 run demo $X", ["demo/a"]),
+        ("export X=a Y=b && ros2 run demo $X$Y", ["demo/ab"]),
+        ("X='a -v'; ros2 run demo $X; ros2 run demo \"$X\"", ["demo/a -v", "demo/a -v"]),
+        ("X=a bash -c 'ros2 run demo $X'; ros2 run demo $X", ["demo/a", "demo/*"]),
+        ("ros2 run demo ${X:-a}; X=b; ros2 run demo ${X:-a}", ["demo/a", "demo/b"]),
+        ("(X=a; ros2 run demo $X); ros2 run demo $X", ["demo/a", "demo/*"]),
+        ("X=a; [ -f x ] && X=b; ros2 run demo $X", ["demo/*"]),
+        ("X=a; if [ -f x ]; then X=b; fi; ros2 run demo $X", ["demo/*"]),
+        ("X=a; for X in b c; do ros2 run demo $X; done", ["demo/*"]),
+        ("X=a; read X; ros2 run demo $X", ["demo/*"]),
+        ("X=a & ros2 run demo $X", ["demo/*"]),
+        ("true || X=a; ros2 run demo $X", ["demo/*"]),
+        ("X=a; f() { X=b; }; f; ros2 run demo $X", ["demo/*"]),
+        ("X=a; while true; do ros2 run demo $X; X=b; done", ["demo/*"]),
+    ],
+)
+def test_variables_of_a_shell(line: str, lines: list[str]) -> None:
+    assert Run([process(line, shell=True)]).lines == lines
+
+
+def test_a_long_line_of_a_shell_is_read_in_time() -> None:
+    for long in (
+        "$(" * 50_000,
+        "$(" * 20_000 + ")" * 20_000,
+        "`'\"" * 30_000,
+        "a;" * 20_000,
+        "X=ab;" + "X=$X$X;" * 60,
+        "X=1;" * 20_000,
+        "<<A\n" * 9_000,
+        "(" * 50_000,
+        "${" * 50_000,
+    ):
+        assert Run([process(long + "\nros2 run demo a", shell=True)]).lines is not None
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "",
+        "&<",
+        "&&>",
+        "<<",
+        "<<<",
+        ";;",
+        "|&",
+        "$",
+        "\\",
+        "a\\",
+        "'",
+        "`",
+        "$(",
+        "${",
+        ")",
+        "()",
+        "x()",
+        "export",
+        "function",
+        "for",
+        "\0",
+        "a 2>",
+        "eval",
+        "trap",
+        "&>",
+        "\ud800",
+        "<<A",
+        "bash <<A",
+        "exec",
+        "env",
+        "X=",
+    ],
+)
+def test_odd_lines_of_a_shell(line: str) -> None:
+    Run([process(line, shell=True)])
+    Run([process(f"{line} ros2 run demo a", shell=True)])
 
 
 @pytest.mark.parametrize(

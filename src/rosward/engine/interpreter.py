@@ -69,6 +69,7 @@ class Interpreter(Answers):
         self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
         self.hooked = False  # whether a class of the program has `__getattribute__`
         self.choosing = 0  # what is being called is one of so many alternatives
+        self.refused: list[str] = []  # why alternatives did not take their arguments, of those too many to tell of each
         self.raised = 0
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last

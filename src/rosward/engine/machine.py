@@ -102,6 +102,7 @@ class Engine(Machine, Protocol):
     unhooked: set[int] | None
     hooked: bool
     choosing: int
+    refused: list[str]
     noted: int
     handling: list[tuple[Value, int]]
     unheld: set[int]

@@ -14,17 +14,19 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.execution.nodes import At, environment
-from rosward.deployment.execution.shell_lines import Command, of_line, split, started_by
 from rosward.deployment.execution.word_files import word_files
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import StartProcess
 from rosward.domain.choice import join, lift2, options
 from rosward.domain.text import concat, make, origins_of, parts_of
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Hole, Unknown, Value
 from rosward.effects.configuration import Configuration
+from rosward.effects.shell import ORIGIN
 from rosward.location import Place
+from rosward.models.python.shell.lines import Command, of_line, started_by
+from rosward.models.python.shell.words import split
 from rosward.models.python.std.paths import basename
 from rosward.records import NamedTuple
 
@@ -68,11 +70,14 @@ def _joined(words: Sequence[Value]) -> list[Value | None]:
     return list(options(line)) if len(options(line)) <= _MOST else [None]
 
 
-def _variable(scene: Scene, place: Place, name: str) -> Value:
+def _variable(scene: Scene, place: Place, name: str, default: str | None) -> Value:
     """What a variable of the environment holds where the shell expands it."""
     held = scene.context.variable(name)
+    instead = Const(default or "", frozenset({Origin(ORIGIN, name)}))
     if held is not None and held.sure:
-        return EMPTY if held.value is None else held.value
+        return instead if held.value is None else held.value
+    if default is not None and held is None:
+        return instead
     unknown = Unknown((Reason(Cause.ENVIRONMENT, name, place),), "str")
     return unknown if held is None or held.value is None else join(held.value, unknown)
 

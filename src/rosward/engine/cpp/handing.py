@@ -67,7 +67,9 @@ def hand_over(
     if machine.watch is not None:
         machine.watch.strange(name)
     held = _bound(machine, [bare(machine, v) for v in values])
-    made = [t for t in types if isinstance(t, Class) and not any(_is_a(machine, o, t) for v in held for o in options(v))]
+    made = [
+        t for t in types if isinstance(t, Class) and not any(_is_a(machine, o, t) for v in held for o in options(v))
+    ]
     machine.escape((*held, *made), name, callee)
     for value in held if informed else ():
         change(machine, value, name, informed=True)

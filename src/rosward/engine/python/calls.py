@@ -144,7 +144,14 @@ def _call_choice(machine: Engine, function: Choice, args: Arguments, keywords: K
         finally:
             machine.choosing = 0
 
-    return each_apart(machine, callees, one) if len(callees) > 1 else call(machine, callees[0], args, keywords)
+    if len(callees) == 1:
+        return call(machine, callees[0], args, keywords)
+    before = len(machine.refused)
+    found = each_apart(machine, callees, one)
+    told, machine.refused = machine.refused[before:], machine.refused[:before]
+    if len(told) == len(callees):  # none of them takes the arguments
+        machine.report("RW209", told[0])
+    return found
 
 
 def _call_object(machine: Engine, ref: Ref, args: Arguments, keywords: Keywords) -> Value:
@@ -308,7 +315,8 @@ def call_method(machine: Engine, value: Value, name: str, args: Arguments) -> Va
 
 
 _FEW_CALLEES: Final = 4
-"""Of so many functions that may be meant, it is told which do not take the arguments. What gets more of them from a table gives each its own."""
+"""Of so many functions that may be meant, it is told which do not take the arguments; of more, only that none does. What gets them from a
+table gives each its own."""
 
 
 def call_function(machine: Engine, function: Function, args: Arguments, keywords: Keywords) -> Value:
@@ -319,9 +327,11 @@ def call_function(machine: Engine, function: Function, args: Arguments, keywords
     except BadCallError as error:
         # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
         exact = not declared.is_model(function) or function.module.name.startswith(machine.library.facts.exact)
-        if exact and machine.choosing <= _FEW_CALLEES:
-            raises = "may raise" if machine.choosing else "raises"
-            machine.report("RW209", f"this call of {code.qualname} {raises} TypeError: {error}")
+        message = f"this call of {code.qualname} {'may raise' if machine.choosing else 'raises'} TypeError: {error}"
+        if exact and machine.choosing > _FEW_CALLEES:
+            machine.refused.append(message)
+        elif exact:
+            machine.report("RW209", message)
         note(machine)
         keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}
         registers = bind_arguments(machine, function, args, {**keywords, ANY: machine.unknown(Cause.ERROR, str(error))})

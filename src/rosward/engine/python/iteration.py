@@ -65,7 +65,7 @@ def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None
         source = stepping.iterator_of(machine, source, asynchronous=op.is_async)
         alive = _over_iterator(machine, op, frame, context, source, begun)
     else:
-        found = _found(machine, op, source) if begun is None else begun.ahead
+        found = _found(machine, op, frame, source) if begun is None else begun.ahead
         alive = _over_items(machine, op, frame, context, source, found, begun)
     machine.precision.end_loop(op, frame)
     frame.context = context
@@ -161,17 +161,18 @@ def _over_items(
     return until_stable(machine, op, frame, None, feed)
 
 
-def _found(machine: Engine, op: ops.ForEach, source: Value) -> Items:
-    """What a loop runs over: each element once, or what may stand where if it may be left before all had their turn."""
-    if source.__class__ is Ref and unordered(machine.obj(source)) and _may_leave(op.body, nested=False):
+def _found(machine: Engine, op: ops.ForEach, frame: Frame, source: Value) -> Items:
+    """What a loop runs over: each element once, or what may stand where if it may be left before all had their turn, as by who asks a generator."""
+    left = frame.yielded is not None or _may_leave(op.body, nested=False)
+    if left and source.__class__ is Ref and unordered(machine.obj(source)):
         return in_places(machine, source)
     return iterate(machine, source)
 
 
 def _may_leave(block: Block, *, nested: bool) -> bool:
-    """Whether a turn may end the loop, or the function that it stands in."""
+    """Whether a turn may end the loop, or the function that it stands in, in words of the program."""
     for op in block:
-        if op.__class__ is ops.Return or (op.__class__ is ops.Break and not nested):
+        if op.__class__ in (ops.Return, ops.Raise) or (op.__class__ is ops.Break and not nested):
             return True
         inside = nested or op.__class__ in (ops.ForEach, ops.While)
         if any(_may_leave(each, nested=inside) for each in getattr(op, "blocks", ())):

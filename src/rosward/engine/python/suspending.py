@@ -20,6 +20,7 @@ from rosward.engine.running.stepped import NEXT, Resumption
 from rosward.engine.running.ways import Way, find_ways
 from rosward.ir import ops
 from rosward.models.native import Items
+from rosward.models.python.containers.any_order import in_places
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -51,7 +52,7 @@ def yield_(machine: Engine, op: ops.Yield, frame: Frame) -> bool | None:
         iterator = stepping.iterator_of(machine, source)
         first = NO_TURN if stepping.is_generator(machine, iterator) else 0
         return delegate(machine, op, frame, iterator, first, NEXT)
-    return give(machine, op, frame, source, machine.iterate(source), 0)
+    return give(machine, op, frame, source, in_places(machine, source), 0)
 
 
 def delegate(

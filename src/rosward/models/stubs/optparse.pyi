@@ -12,8 +12,16 @@ class Values(argparse.Namespace):
 
 _TYPES = {'int': int, 'long': int, 'float': float, 'complex': complex, 'string': str, 'choice': str}
 
+class Option:
+    def __init__(self, *args, **kwargs):
+        self._args = args
+        self._keywords = kwargs
+make_option = Option
+
 class OptionContainer(argparse._ActionsContainer):
     def add_option(self, *args, **kwargs):
+        if args and isinstance(args[0], Option):
+            return self.add_option(*args[0]._args, **args[0]._keywords)
         if kwargs.get('type') in _TYPES:
             kwargs['type'] = _TYPES[kwargs['type']]
         made = self.add_argument(*args, **kwargs)
@@ -24,6 +32,9 @@ class OptionContainer(argparse._ActionsContainer):
                 else:
                     made.default = other.default
         return made
+    def add_options(self, option_list):
+        for option in option_list:
+            self.add_option(*option._args, **option._keywords)
 
 class OptionGroup(OptionContainer):
     def __init__(self, parser, title, description=None):
@@ -36,13 +47,19 @@ class OptionParser(OptionContainer):
         self._actions = []
         self._defaults = {}
         self._sub = []
+        self._mixed = True
         self.usage = usage
+        self.add_options(option_list or ())
+    def disable_interspersed_args(self):
+        self._mixed = False
+    def enable_interspersed_args(self):
+        self._mixed = True
     def add_option_group(self, *args, **kwargs):
         return args[0] if args else None
     def parse_args(self, args=None, values=None):
         target = Values() if values is None else values
         arguments = sys.argv[1:] if args is None else args
-        found = argparse._exact(self._actions, arguments, True, '-')
+        found = argparse._exact(self._actions, arguments, True, '-') if self._mixed else None
         if found is not None:
             argparse.ArgumentParser._fill(self, target, found[0], False)
             return target, found[1]

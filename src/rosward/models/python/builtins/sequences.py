@@ -108,7 +108,7 @@ def _filter(call: NativeCall) -> Value:
     machine, (function, iterable) = call.machine, call.args[:2]
     if acts(machine, function) or stepped(call, (iterable,)):
         return lazily(call, "filter", function, iterable)
-    known, rest = machine.iterate(iterable)
+    known, rest = in_places(machine, iterable)
     kept: list[Value] = []
     exact = rest is None
     for item in all_of(Items(known, rest)):

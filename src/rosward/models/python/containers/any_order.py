@@ -25,22 +25,37 @@ def unordered(record: Obj) -> tuple[Value, ...]:
     if record.payload.__class__ is Shuffled:
         return record.payload.items
     items = record.items if record.kind == "set" else None
-    return () if items is None or len(items) < 2 or _numbers(items) else items
+    return () if items is None or len(items) < 2 or _numbers(items) is not None else items
 
 
 def places(record: Obj) -> Series:
     """What stands where in a set, or a list."""
-    items = record.items if record.kind == "set" else None
-    if items is None or len(items) < 2:
-        return record.series()
-    if _numbers(items):
-        found = {item.value: item for item in items if isinstance(item, Const)}
-        return Series(tuple(found[number] for number in set(found)))
-    return Series((join_all(items),) * len(items))
+    items = unordered(record) if record.kind == "set" else ()
+    if items:
+        return Series((join_all(items),) * len(items))
+    return record.series() if record.payload.__class__ is Shuffled else once(record)
 
 
-def _numbers(items: tuple[Value, ...]) -> bool:
-    return all(isinstance(item, Const) and isinstance(item.value, (int, float)) for item in items)
+def once(record: Obj) -> Series:
+    """What a set holds, or a list: each element once, where the order is not known in that in which they came."""
+    if record.payload.__class__ is Shuffled:
+        return Series(record.payload.items)
+    numbers = _numbers(record.items) if record.kind == "set" and record.items is not None else None
+    return record.series() if numbers is None else Series(numbers)
+
+
+def _numbers(items: tuple[Value, ...]) -> tuple[Value, ...] | None:
+    """Numbers as they stand in a set; None for others, and where their order depends on how the set came to be."""
+    found = {i.value: i for i in items if isinstance(i, Const) and isinstance(i.value, (int, float))}
+    if len(found) != len(items):
+        return None
+    at_once, one_by_one, backwards = set(found), set[float](), set[float]()
+    for number in found:
+        one_by_one.add(number)
+    for number in reversed(found):
+        backwards.add(number)
+    orders = {tuple(each) for each in (at_once, one_by_one, backwards, {*frozenset(found)})}
+    return tuple(found[number] for number in at_once) if len(orders) == 1 else None
 
 
 def keep_unordered(machine: Machine, made: Value, source: Value) -> None:

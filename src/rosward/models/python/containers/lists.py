@@ -187,7 +187,8 @@ def _clear(call: NativeCall) -> Value:
 
 
 def _index(call: NativeCall) -> Value:
-    known, rest = call.machine.iterate(call.args[0])
+    places = call.machine.series(call.args[0])
+    known, rest = places.head, places.behind_head()
     bounds = [int_of(bound) for bound in call.args[2:]]
     if rest is not None or None in bounds:
         return unknown_from(call.machine, call.name, "int", *call.args)

@@ -15,7 +15,6 @@ from typing import Final
 
 from rosward.domain.choice import join, options
 from rosward.domain.compound import External, Native, Range, Tuple
-from rosward.domain.heap import Shuffled
 from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause, Origins
@@ -23,7 +22,7 @@ from rosward.domain.values import Choice, Class, Const, Ref, Text, Unknown, Valu
 from rosward.models.native import Items, Machine
 from rosward.models.python.comparing.compare import compare, contains, equal, kind_of
 from rosward.models.python.containers import dicts
-from rosward.models.python.containers.any_order import places
+from rosward.models.python.containers.any_order import once, places
 from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
 from rosward.models.python.containers.sets import FROZEN, combine, distinct
 from rosward.models.python.containers.views import renewed
@@ -307,9 +306,7 @@ def _iterate(machine: Machine, value: Value) -> Items:
 def _iterate_object(machine: Machine, ref: Ref) -> Items:
     obj = renewed(machine, ref)
     if obj.kind in ("list", "set"):
-        if obj.payload.__class__ is Shuffled:
-            return Items(obj.payload.items)
-        series = obj.series()
+        series = once(obj)
         return Items(series.head, series.behind_head())
     if obj.kind == "dict":
         return dicts.keys(machine, obj)

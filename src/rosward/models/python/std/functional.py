@@ -20,6 +20,7 @@ from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Un
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
 from rosward.models.python.builtins.lazy import is_drained, lazily, shared, stepped
+from rosward.models.python.containers.any_order import each_order, in_places
 from rosward.models.python.plain import int_of, native
 
 MAX_ITEMS: Final = 1_000
@@ -91,8 +92,12 @@ def _cached_property(call: NativeCall) -> Value:
 
 def _reduce(call: NativeCall) -> Value:
     """reduce(f, items[, first]): exact on known items; three steps are run for any number of others."""
+    orders = each_order(call.machine, call.args[1]) or [in_places(call.machine, call.args[1])]
+    return join_all(_reduced(call, *order) for order in orders)
+
+
+def _reduced(call: NativeCall, known: tuple[Value, ...], rest: Value | None) -> Value:
     machine, function = call.machine, call.args[0]
-    known, rest = machine.iterate(call.args[1])
     if len(call.args) > 2:
         known = (call.args[2], *known)
     if not known and rest is None:
@@ -162,7 +167,7 @@ def _islice(call: NativeCall) -> Value:
         start, stop, step = (NONE, call.args[1], NONE) if len(call.args) == 2 else (*call.args[1:], NONE)[:3]
         begin, width = Const(0) if start == NONE else start, Const(1) if step == NONE else step
         return lazily(call, "islice", call.args[0], begin, stop, width)
-    items = call.machine.iterate(call.args[0])
+    items = in_places(call.machine, call.args[0])
     exact = all(b is not None or a == NONE for a, b in zip(call.args[1:], bounds, strict=True))
     if not exact or items.rest is not None or any(b is not None and b < 0 for b in bounds):
         return _listed(call, (), _element(items))

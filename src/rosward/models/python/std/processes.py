@@ -7,6 +7,7 @@ sys.exit(1)                                                      the path ends w
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
 from rosward.domain.choice import options
@@ -16,6 +17,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Text, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.plain import text_of
+from rosward.models.python.shell.lines import of_line, started_by
 from rosward.source.standard_library import STANDARD_LIBRARY
 
 _STARTERS: Final = frozenset({"ros2", "rosrun", "roslaunch", "rviz2", "rqt", "gzserver", "gzclient", "gazebo"})
@@ -50,59 +52,46 @@ def launches(call: NativeCall, command: Value) -> None:
     if not _is_known(call, command):
         call.machine.note_creation(new=True, exact=False)
     for option in options(command):
-        words = _words(call, option)
-        found = {_judged(names) for names in _commands(words, shell=not isinstance(option, (Ref, Tuple)))}
+        found = {_judged(names) for names in _commands(call, option)}
         code = next((c for c in ("RW210", "RW211") if c in found), "")
         if code:
-            message = f"{call.name.removesuffix('._launches')} starts `{' '.join(words)[:200]}`"
+            shown = " ".join(_words(call, option))
+            message = f"{call.name.removesuffix('._launches')} starts `{shown[:200]}`"
             call.machine.report(code, message, (f"call ({call.machine.place})",))
             return
 
 
-def _commands(words: list[str], *, shell: bool) -> list[list[str]]:
-    """The commands of a line, without their folders; one that no shell reads is one."""
-    found: list[list[str]] = [[]]
-    for word in words:
-        bare = word.strip("'\"()")
-        several = shell or (bool(found[0]) and found[0][0] in _SHELLS)
-        if not several or bare.strip(";&|"):
-            found[-1].append(word.rpartition("/")[2].strip("'\"();&|"))
-        if several and bare.endswith((";", "&", "|")):
-            found.append([])
-    return found
+def _commands(call: NativeCall, command: Value) -> list[list[str]]:
+    """The commands of a line, or of a list of words, each in words without their folders."""
+    place = call.machine.place
+
+    def held(name: str, _: str | None) -> Value:
+        return call.machine.unknown(Cause.ENVIRONMENT, name, "str")
+
+    if not isinstance(command, (Ref, Tuple)):
+        found = of_line(command, held, place)
+    elif isinstance(command, Tuple) or call.machine.obj(command).kind == "list":
+        found = started_by([options(word)[0] for word in call.machine.iterate(command).known], held, place)
+    else:
+        found = []
+    shown = ((readable(word) for word in each.words) for each in found)
+    return [[name.rpartition("/")[2] for word in words for name in word.split() or [""]] for words in shown]
 
 
 def _judged(names: list[str]) -> str:
     """What is told of a command: '' where it starts nothing of ROS and no Python."""
-    while names and (names[0] in _BEFORE or "=" in names[0] or names[0].startswith("-") or names[0].isdigit()):
-        names = names[1:]
     if not names or names[0] in _ONLY_LOOK:
         return ""
-    if any(n in _STARTERS or n.endswith((".launch.py", ".launch.xml")) for n in names) or _runs_python(names):
+    python = any(_runs_python(names[n:]) for n, name in enumerate(names) if n == 0 or _PYTHON.fullmatch(name))
+    if python or any(n in _STARTERS or n.endswith((".launch.py", ".launch.xml")) for n in names):
         return "RW211" if _is_tool(names) else "RW210"
     return ""
 
 
+_PYTHON: Final = re.compile(r"python[\d.]*")
 _TOOLS: Final = frozenset({"pip", "pytest", "build", "mypy", "ruff", "black", "flake8", "coverage"})
 """Modules that are run by `python -m` and are no nodes."""
-_SHELLS: Final = frozenset({"bash", "sh", "zsh", "dash"})
-_BEFORE: Final = _SHELLS | {
-    "exec",
-    "nohup",
-    "setsid",
-    "sudo",
-    "env",
-    "time",
-    "nice",
-    "timeout",
-    "stdbuf",
-    "xterm",
-    "gnome-terminal",
-    "do",
-    "then",
-}
-"""Words before the program that a command starts in the end."""
-_ONLY_LOOK: Final = frozenset({"pgrep", "pkill", "killall", "kill", "grep", "echo", "which"})
+_ONLY_LOOK: Final = frozenset({"pgrep", "pkill", "killall", "kill", "grep", "echo", "printf", "cat", "which"})
 """Programs that look for others, or end them: what stands behind starts nothing."""
 
 _STARTING: Final = frozenset({"run", "launch", "component", "bag"})

@@ -28,6 +28,8 @@ FIELDS: Final = "_rosward_fields"
 """Where a class keeps what is known of its fields; the program sees `__dataclass_fields__`, a dict of them."""
 FROZEN: Final = Native("dataclasses.refuse")
 """`__setattr__` of a frozen class."""
+HOOK: Final = "__post_init__"
+"""What a generated `__init__` calls at its end, if the class has it where it is decorated."""
 FIELD: Final = External("dataclasses.Field")
 _ABSENT: Final = Tuple(())
 
@@ -113,9 +115,10 @@ def dataclass(call: NativeCall) -> Value:
     positional = tuple(Const(f.name) for f in fields.values() if f.init and not f.kw_only)
     if "__match_args__" not in attrs:
         machine.store_attr(cls, "__match_args__", Tuple(positional))
-    for name, option in (("init", "__init__"), ("eq", "__eq__"), ("repr", "__repr__")):
+    own_init = "init_alone" if _own_method(machine, cls, HOOK) is None else "init"
+    for name, option, made in (("init", "__init__", own_init), ("eq", "__eq__", "eq"), ("repr", "__repr__", "repr")):
         if option not in attrs and machine.truth(call.keywords.get(name, TRUE)) is not False:
-            machine.store_attr(cls, option, Native(f"dataclasses.{name}"))
+            machine.store_attr(cls, option, Native(f"dataclasses.{made}"))
     if machine.truth(call.keywords.get("order", FALSE)) is True:
         for option in _ORDERS:
             machine.store_attr(cls, option, Native(f"dataclasses.{option}"))
@@ -186,7 +189,16 @@ def _default(machine: Machine, field: _Field) -> Value:
 
 
 def init(call: NativeCall) -> Value:
-    """dataclasses.init(instance, *args, **keywords): the generated `__init__`."""
+    """dataclasses.init(instance, *args, **keywords): the generated `__init__`, with `__post_init__` behind it."""
+    return _init(call, hooked=True)
+
+
+def _init_alone(call: NativeCall) -> Value:
+    """The one of a class that had no `__post_init__` when it was decorated: none that it is given later is called."""
+    return _init(call, hooked=False)
+
+
+def _init(call: NativeCall, *, hooked: bool) -> Value:
     machine, instance, given = call.machine, call.args[0], call.args[1:]
     cls = class_of(machine, instance)
     fields = (fields_of(machine, cls) if cls is not None else None) or []
@@ -211,7 +223,7 @@ def init(call: NativeCall) -> Value:
             passed.append(value)
         else:
             _set(machine, instance, field.name, value)
-    hook = _own_method(machine, cls, "__post_init__")
+    hook = _own_method(machine, cls, HOOK) if hooked else None
     if hook is not None:
         machine.call(hook, (instance, *passed))
     return NONE
@@ -370,6 +382,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "dataclasses.make_dataclass": _make,
     "dataclasses.field": _make_field,
     "dataclasses.init": init,
+    "dataclasses.init_alone": _init_alone,
     "dataclasses.eq": _eq,
     "dataclasses.repr": _repr,
     **{f"dataclasses.{name}": _order for name in _ORDERS},
