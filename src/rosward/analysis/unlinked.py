@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterator
-from typing import TYPE_CHECKING, Final
+from collections.abc import Collection
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.analysis.linked_functions import CREATORS, NODES
 from rosward.records import NamedTuple
@@ -31,7 +31,6 @@ _LOADABLE: Final = re.compile(
 
 
 _INCLUDE: Final = re.compile(r"^[ \t]*#[ \t]*include[ \t]*([<\"])([^>\"\n]+)", re.MULTILINE)
-_HEADERS: Final = 300
 
 
 class Unlinked(NamedTuple):
@@ -60,17 +59,13 @@ def unlinked_libraries(
     taken = set(linked)
     there = {os.fspath(file.path) for file in workspace.cpp_sources}
     said = re.compile(rf"\b(?:{'|'.join(map(re.escape, sorted({*creating, *CREATORS})))})\b|{NODES}")
+    said_by = _Headers(headers, said, known)
     found: list[Unlinked] = []
     for package in workspace.packages:
         for library in builds.libraries(package.name):
             own = [unit.path for unit in library.units if unit.path in there and unit.path not in taken]
             texts = [text for text in map(headers.read, own) if isinstance(text, str)]
-            if any(map(said.search, texts)) or any(
-                said.search(text)
-                for unit in library.units
-                if unit.path in own
-                for text in _included(headers, unit, known)
-            ):
+            if any(map(said.search, texts)) or any(map(said_by.includes, (u for u in library.units if u.path in own))):
                 name = f"{package.name}/{library.name} as a library"
                 loadable = any(map(_LOADABLE.search, texts)) or not described.isdisjoint(own)
                 found.append(Unlinked(name, place_name(own[0], workspace.root), library.units, loadable))
@@ -78,18 +73,43 @@ def unlinked_libraries(
     return found
 
 
-def _included(headers: Headers, unit: Unit, known: Collection[str]) -> Iterator[str]:
-    """The texts of the headers of the workspace that a source includes, without `known` ones, whatever its conditions say."""
-    waiting, seen = [unit.path], {unit.path}
-    while waiting and len(seen) < _HEADERS:
-        path = waiting.pop()
-        text = headers.read(path)
-        if not isinstance(text, str):
-            continue
-        if path != unit.path:
-            yield text
-        for quote, name in _INCLUDE.findall(text):
-            found = headers.find(name, path, unit.includes, quoted=quote == '"')
-            if found is not None and found not in seen and headers.named(found) not in known:
-                seen.add(found)
-                waiting.append(found)
+@final
+class _Headers:
+    """The headers of the workspace, without `known` ones: which of them say something, and what they include, whatever their conditions say."""
+
+    def __init__(self, headers: Headers, said: re.Pattern[str], known: Collection[str]) -> None:
+        self._headers = headers
+        self._said = said
+        self._known = known
+        self._read: dict[str, tuple[bool, list[tuple[str, str]]]] = {}
+        self._silent: dict[tuple[str, ...], set[str]] = {}
+
+    def includes(self, unit: Unit) -> bool:
+        """Whether a source includes one that says it."""
+        silent = self._silent.setdefault(unit.includes, set())
+        waiting, seen = [unit.path], {unit.path}
+        while waiting:
+            path = waiting.pop()
+            says, includes = self._content(path)
+            if says and path != unit.path:
+                return True
+            for quote, name in includes:
+                found = self._headers.find(name, path, unit.includes, quoted=quote == '"')
+                if (
+                    found is not None
+                    and found not in seen
+                    and found not in silent
+                    and self._headers.named(found) not in self._known
+                ):
+                    seen.add(found)
+                    waiting.append(found)
+        silent.update(seen)
+        return False
+
+    def _content(self, path: str) -> tuple[bool, list[tuple[str, str]]]:
+        found = self._read.get(path)
+        if found is None:
+            text = self._headers.read(path)
+            text = text if isinstance(text, str) else ""
+            found = self._read[path] = self._said.search(text) is not None, _INCLUDE.findall(text)
+        return found

@@ -110,7 +110,8 @@ class Signature(NamedTuple):
 
     `reference`: it returns one. `using`: the namespaces of its `using namespace`. `owned`: which of its free cells a lambda has to itself, so
     that a copy of it has others. `constant`: a member function of constant objects, too. `apart`: wherever it is called, it is in one
-    context for each object. `receiver`: `&` or `&&` behind its parameters, of the objects that it is for.
+    context for each object. `receiver`: `&` or `&&` behind its parameters, of the objects that it is for. `called`: what it calls the
+    parameters of the class template that it is a member of, where it is defined outside of that.
     """
 
     parameters: tuple[ParameterSymbol, ...] = ()
@@ -122,6 +123,7 @@ class Signature(NamedTuple):
     constant: bool = False
     apart: bool = False
     receiver: str = ""
+    called: Scope = ()
 
     def types(self, registers: Sequence[_T]) -> tuple[_T, ...]:
         """What a call has given for the parameters of the template."""

@@ -210,7 +210,7 @@ def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:
 def _says_itself(machine: Engine, slot: Value, src: Value) -> bool:
     """Whether the class of an object says itself what is assigned to it: that of its bases assigns to their part alone."""
     info = linked(machine).info(machine.obj(slot).cls) if isinstance(slot, Ref) else None
-    if info is None or info.cls is None or not linked(machine).symbols.at(info.scope, "operator="):
+    if info is None or info.cls is None or not linked(machine).members(info, "operator="):
         return False
     return ASSIGN in record(machine, info.cls.address).attrs or not construct.is_one(machine, src, info.cls)
 

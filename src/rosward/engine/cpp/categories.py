@@ -6,7 +6,7 @@ void set(const std::string & s);  void set(std::string && s);      set(name): th
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final, Literal, TypeVar
 
 from rosward.domain.slots import Overloads, Slot
@@ -26,9 +26,9 @@ __all__ = [
     "by_category",
     "cast_to",
     "class_cast_to",
+    "for_object",
     "numbers_written",
     "of_constness",
-    "of_receiver",
     "same_parameters",
     "undominated",
 ]
@@ -179,14 +179,29 @@ def of_constness(several: Overloads, *, constant: bool) -> Overloads:
     return several.only(tuple(kept)) if kept else several
 
 
-def of_receiver(several: Overloads, *, is_new: bool) -> Overloads:
+def for_object(several: Overloads, *, constant: bool, is_new: bool) -> Overloads:
+    """The functions that are for such an object: what cannot be called for it is left out before one is preferred to another."""
+    if constant:
+        return _of_receiver(of_constness(several, constant=True), is_new=is_new)
+    return of_constness(_of_receiver(several, is_new=is_new), constant=False)
+
+
+def _of_receiver(several: Overloads, *, is_new: bool) -> Overloads:
     """Of functions with `&` and `&&` behind their parameters, those for an object that is new or moved, or for any other."""
-    own = [f.code.signature.receiver if f.code.signature is not None else "" for f in several.functions]
-    if len(own) < 2 or not any(own):
+    own = [f.code.signature for f in several.functions]
+    if len(own) < 2 or not any(s is not None and s.receiver for s in own):
         return several
-    wanted = ("&&", "") if is_new and "&&" in own else ("&", "")
-    kept = [f for f, receiver in zip(several.functions, own, strict=True) if receiver in wanted]
+    moving = [s for s in own if s is not None and s.receiver == "&&"]
+    kept = [f for f, s in zip(several.functions, own, strict=True) if s is None or _takes(s, moving, is_new=is_new)]
     return several.only(tuple(kept)) if kept else several
+
+
+def _takes(signature: Signature, moving: Sequence[Signature], *, is_new: bool) -> bool:
+    """Whether a function takes such an object; `const &` takes a new one where none of those with `&&` does."""
+    if not is_new or not signature.receiver:
+        return signature.receiver != "&&"
+    is_left = signature.constant and not any(same_parameters(signature, other) for other in moving)
+    return signature.receiver == "&&" or is_left
 
 
 def same_parameters(one: Signature | None, other: Signature | None) -> bool:

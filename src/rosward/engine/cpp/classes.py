@@ -115,16 +115,14 @@ def bind_template(
     return bindings
 
 
-def _by_other_names(machine: Engine, symbol: Symbol, bindings: dict[str, Value]) -> dict[str, Value]:
-    """The arguments of a class template by the names that definitions of its members elsewhere give them."""
-    own = symbol.template or ()
-    if symbol.specialises is not None:
-        return {}
-    meant: dict[str, set[str]] = {}
-    for several in linked(machine).symbols.called(symbol.inner):
-        for name, parameter in zip(several, own, strict=False):
-            meant.setdefault(name, set()).add(parameter.name)
-    return {name: bindings[parameters.pop()] for name, parameters in meant.items() if len(parameters) == 1}
+def _by_other_names(machine: Engine, info: Info) -> dict[str, Value]:
+    """The arguments of a class template by the names that definitions of its members elsewhere give them, where each means one."""
+    meant: dict[str, set[int]] = {}
+    for several in linked(machine).symbols.called(info.scope) if info.symbol.specialises is None else ():
+        for number, name in enumerate(several):
+            meant.setdefault(name, set()).add(number)
+    found = {name: info.argument(numbers.pop()) for name, numbers in meant.items() if len(numbers) == 1}
+    return {name: value for name, value in found.items() if value is not None}
 
 
 def instance_of(
@@ -158,9 +156,9 @@ def instance_of(
     outer = ".".join(n for n in symbol.scope if n)
     name = f"{outer}.{symbol.name}" if outer else symbol.name
     scope = ModuleValue(address, name, symbol.place.file)
-    bindings = {**_by_other_names(machine, symbol, bindings), **bindings} if types else bindings
     info = program.infos[address] = Info(symbol, env, scope, symbol.inner, types, bindings)
     info.around = around or {}
+    info.elsewhere = _by_other_names(machine, info) if types else {}
     program.scopes[address] = symbol.inner
     stub = symbol.place.file.startswith(MODEL_PREFIX)
     # its bases may name it (`class Unit : public Reports<Unit>`)
@@ -283,7 +281,7 @@ def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:
 def _assigning(machine: Engine, info: Info) -> Value:
     """The functions by which a class says itself how an object of it is assigned to another; NONE where it has none."""
     program = linked(machine)
-    found = [s for s in program.symbols.at(info.scope, "operator=") if _takes_itself(info, s)]
+    found = [s for s in program.members(info, "operator=") if _takes_itself(info, s)]
     return program.value_of(machine, names.Found(tuple(found), info.env, info), ()) if found else NONE
 
 
@@ -310,7 +308,7 @@ def copies(machine: Engine, info: Info) -> bool:
 def _of_itself(machine: Engine, info: Info) -> Iterator[tuple[str, bool]]:
     """The constructors that take an object of the class: by which reference, and whether somebody has written the body."""
     name = info.symbol.name
-    for symbol in linked(machine).symbols.at(info.scope, name):
+    for symbol in linked(machine).members(info, name):
         first = symbol.parameters[0].type if symbol.kind is SymbolKind.FUNCTION and symbol.parameters else None
         if first is None or first.names[-1:] != (name,) or first.reference not in ("&", "&&"):
             continue

@@ -30,7 +30,7 @@ __all__ = [
 
 def constructors(machine: Engine, info: Info) -> list[Symbol]:
     """Those that are written."""
-    symbols = linked(machine).symbols.at(info.scope, info.symbol.name)
+    symbols = linked(machine).members(info, info.symbol.name)
     return [s for s in symbols if s.kind is SymbolKind.FUNCTION]
 
 

@@ -27,7 +27,7 @@ def converts(machine: Engine, cls: Class, own: Value) -> bool:
     info = linked(machine).info(cls)
     if info is None:
         return True
-    found = linked(machine).symbols.at(info.scope, info.symbol.name)
+    found = linked(machine).members(info, info.symbol.name)
     constructors = [s for s in found if s.kind is SymbolKind.FUNCTION]
     return any(_takes_one(s) and not s.explicit and _may_be(machine, info.env, s, own) for s in constructors)
 
@@ -60,7 +60,7 @@ def is_convertible(machine: Engine, type_: Class, cls: Class) -> bool:
     info = linked(machine).info(type_)
     if info is None:
         return True
-    for symbol in linked(machine).symbols.at(info.scope, info.symbol.name):
+    for symbol in linked(machine).members(info, info.symbol.name):
         if symbol.kind is SymbolKind.FUNCTION and _takes_one(symbol) and not symbol.explicit:
             pattern = symbol.parameters[0].type
             if any(n in {p.name for p in symbol.template or ()} for n in pattern.names):

@@ -64,7 +64,7 @@ def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
             if own is None or not symbol.name.startswith("operator "):
                 continue
             if symbol.name.rstrip("& ").rpartition(":")[2].split()[-1] == wanted:
-                functions = linked(machine).symbols.at(own.scope, symbol.name)
+                functions = linked(machine).members(own, symbol.name)
                 found = value_of(machine, names.Found(tuple(functions), own.env, own), None)
                 return machine.call(found.of(value), ()) if isinstance(found, Overloads) else value
     return value

@@ -41,7 +41,7 @@ def _destroy(machine: Engine, ref: Ref, depth: int) -> bool:
         info = program.info(each)
         if info is None:
             continue
-        symbols = program.symbols.at(info.scope, f"~{info.symbol.name}")
+        symbols = program.members(info, f"~{info.symbol.name}")
         if symbols:
             function = overloads(machine, names.Found(tuple(symbols), info.env, info), (), ref)
             if calls.invoke(machine, function, ()) is UNBOUND:

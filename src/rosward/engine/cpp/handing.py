@@ -197,7 +197,7 @@ def own_functions(machine: Engine, cls: Class) -> Iterator[tuple[Symbol, Functio
             continue
         for symbol in info.symbol.members:
             if symbol.kind is SymbolKind.FUNCTION and _is_ordinary(info, symbol):
-                for whole in linked(machine).symbols.at(info.scope, symbol.name):
+                for whole in linked(machine).members(info, symbol.name):
                     if whole.kind is SymbolKind.FUNCTION and whole.code is not None:
                         yield whole, function_of(machine, whole, info.env)
 

@@ -7,7 +7,7 @@ sees the names of the very instance of a template that it belongs to.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.heap import KIND, Obj
@@ -37,6 +37,7 @@ class Info:
     another, as the object is declared. `references`: the fields that are references. `around`: names of the function that declares the class.
     `special`: members of this instance of a template alone. `shares`: it is, or has in it, a union. `open`: a template of which the arguments are
     not known yet (they follow from a constructor). `virtual`: its virtual bases, those of its bases, too.
+    `elsewhere`: its arguments by the names that definitions of members elsewhere give them.
     """
 
     __slots__ = (
@@ -45,6 +46,7 @@ class Info:
         "clashing",
         "cls",
         "doubled",
+        "elsewhere",
         "env",
         "fields",
         "hidden",
@@ -76,6 +78,7 @@ class Info:
         self.types = types
         self.bindings = bindings
         self.around: dict[str, Value] = {}
+        self.elsewhere: dict[str, Value] = {}
         self.shares = False
         self.clashing = frozenset[str]()
         self.doubled = frozenset[str]()
@@ -87,6 +90,13 @@ class Info:
         self.references = frozenset[str]()
         self.cls: Class | None = None
         self.virtual: tuple[Value, ...] = ()
+
+    def argument(self, number: int) -> Value | None:
+        """What the parameter of the template at this place stands for."""
+        own = self.symbol.template or ()
+        if number >= len(own):
+            return None
+        return self.bindings.get(own[number].name) if own[number].name else next(iter(self.types[number:]), None)
 
 
 class Unaware:
@@ -184,6 +194,11 @@ class Linked:
     def info(self, value: Value) -> Info | None:
         """The class of a class value or scope; None for a namespace, or a class of another language."""
         return self.infos.get(value.address) if isinstance(value, (Class, ModuleValue)) else None
+
+    def members(self, info: Info, name: str) -> Sequence[Symbol]:
+        """What a class declares under a name: in an unnamed namespace of a source, not what one of its name in another source does."""
+        found, unit = self.symbols.at(info.scope, name), info.symbol.unit
+        return [s for s in found if s.unit in ("", unit)] if unit else found
 
     def class_of(self, machine: Engine, ref: Ref) -> Value:
         """The class of an object: of one whose constructor runs, that of the constructor."""

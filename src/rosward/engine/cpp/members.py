@@ -131,7 +131,7 @@ def is_virtual(machine: Engine, info: Info, name: str) -> bool:
     program = linked(machine)
     for cls in info.cls.mro if info.cls is not None else ():
         own = program.info(cls)
-        if own is not None and any(s.virtual for s in program.symbols.at(own.scope, name)):
+        if own is not None and any(s.virtual for s in program.members(own, name)):
             return True
     return False
 

@@ -19,7 +19,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import access, assigning, assumed_nodes, calls, endings, members, names, operators
-from rosward.engine.cpp.categories import of_constness, of_receiver
+from rosward.engine.cpp.categories import for_object
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import is_message, pointee
@@ -147,7 +147,7 @@ def _of_one(
             given = args if isinstance(function, External) and _is_apart(machine, value) else (value, *args)
             return calls.unknown_call(machine, function, given, types)
         if isinstance(function, Overloads):
-            function = of_constness(of_receiver(function, is_new=is_new), constant=constant)
+            function = for_object(function, constant=constant, is_new=is_new)
         return calls.invoke(machine, access.value(machine, function), args, types)
     for type_name in method_types(machine, value):
         native = machine.library.native(f"{type_name}.{name}")
@@ -179,7 +179,7 @@ def _hiding(machine: Engine, value: Ref, name: str, declared: Callable[[], Value
         return None
     if key not in program.hiding:
         infos = [i for base in cls.mro if (i := program.info(base)) is not None]
-        with_name = [i for i in infos if program.symbols.at(i.scope, name)]
+        with_name = [i for i in infos if program.members(i, name)]
         program.hiding[key] = len(with_name) > 1 and not members.is_virtual(machine, with_name[-1], name)
     if not program.hiding[key]:
         return None

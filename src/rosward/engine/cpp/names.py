@@ -80,11 +80,13 @@ def _unqualified(
     machine: Engine, program: Linked, env: ModuleValue, name: str, using: tuple[Scope, ...]
 ) -> Found | Value | None:
     here: ModuleValue | None = env
+    elsewhere: Value | None = None
     while here is not None:
         info = program.info(here)
         if info is not None:
             if name in info.bindings:
                 return info.bindings[name]
+            elsewhere = elsewhere or info.elsewhere.get(name)
             named = _injected(machine, info, name)
             if named is not None:
                 return named
@@ -100,7 +102,7 @@ def _unqualified(
         if found is not None:
             return found
         here = outer_of(machine, here)
-    return None
+    return elsewhere
 
 
 def _injected(machine: Engine, info: Info, name: str) -> Value | None:
@@ -136,9 +138,7 @@ def in_class(machine: Engine, info: Info, name: str) -> Found | None:
         own = program.info(each)
         if own is None:
             continue
-        symbols = own.special.get(name) or [
-            s for s in program.symbols.at(own.scope, name) if not _names_constructors(s)
-        ]
+        symbols = own.special.get(name) or [s for s in program.members(own, name) if not _names_constructors(s)]
         if symbols:
             return Found(tuple(symbols), own.env, own)
         if name in own.bindings:
@@ -209,11 +209,13 @@ def _first(machine: Engine, env: ModuleValue, name: str, *, absolute: bool) -> S
     """The first of several parts: a namespace or a class, the innermost that is there."""
     program = linked(machine)
     here: ModuleValue | None = program.namespace(machine, (), env.file) if absolute else env
+    elsewhere: Value | None = None
     while here is not None:
         info = program.info(here)
         if info is not None:
             if name in info.bindings:
                 return info.bindings[name]
+            elsewhere = elsewhere or info.elsewhere.get(name)
             named = _injected(machine, info, name)
             if named is not None:
                 return named
@@ -227,7 +229,7 @@ def _first(machine: Engine, env: ModuleValue, name: str, *, absolute: bool) -> S
             if step is not None:
                 return step
         here = outer_of(machine, here)
-    return None
+    return elsewhere
 
 
 def _in_namespace_step(machine: Engine, scope: Scope, name: str, file: str) -> Step | None:

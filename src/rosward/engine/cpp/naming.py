@@ -74,8 +74,25 @@ def _resolved(machine: Engine, op: cpp.Name, frame: Frame) -> Resolved:
     base = frame.registers[op.base] if op.base != ops.NO_REGISTER else None
     env = ModuleValue(frame.module.address, frame.module.name, frame.code.file)
     signature = frame.code.signature
-    using = signature.using if signature is not None else ()
-    return names.resolve(machine, env, parts, base=base, absolute=op.absolute, using=using), parts[-1].types
+    using, called = (signature.using, signature.called) if signature is not None else ((), ())
+    types = parts[-1].types
+    if parts[0].name in called and parts[0].types is None and base is None and not op.absolute:
+        base = _argument_around(machine, env, called.index(parts[0].name))
+        if base is not None and len(parts) == 1:
+            return base, types
+        parts = parts if base is None else parts[1:]
+    return names.resolve(machine, env, parts, base=base, absolute=op.absolute, using=using), types
+
+
+def _argument_around(machine: Engine, env: ModuleValue, number: int) -> Value | None:
+    """What the parameter of the class template around a place stands for, by its number."""
+    here: ModuleValue | None = env
+    while here is not None:
+        info = linked(machine).info(here)
+        if info is not None and info.bindings:
+            return info.argument(number)
+        here = names.outer_of(machine, here)
+    return None
 
 
 def declared_type(machine: Engine, name: str, frame: Frame) -> Value:

@@ -123,7 +123,10 @@ def _of_instances(machine: Engine) -> None:
     program = linked(machine)
     used = program.symbols.statics_used
     for symbol in program.symbols.derived if used else ():
-        cls = named(machine, "::".join(filter(None, (*symbol.scope, symbol.name))))
+        around = _class_at(machine, symbol.scope) if symbol.scope else None
+        outer = program.info(around) if around is not None else None
+        env = program.namespace(machine, symbol.scope, symbol.unit) if outer is None else outer.env
+        cls = value_of(machine, Found((symbol,), env, outer), None)
         for base in cls.mro if isinstance(cls, Class) else ():
             info = program.info(base)
             for name in used.get(info.scope, ()) if info is not None else ():

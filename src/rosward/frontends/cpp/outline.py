@@ -13,7 +13,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
-from rosward.frontends.cpp.declarators import DEPTH, Part, dense, named, spelled, text_of, unnamed
+from rosward.frontends.cpp.declarators import (
+    DEPTH,
+    Part,
+    dense,
+    named,
+    spelled,
+    template_parameter_name,
+    text_of,
+    unnamed,
+)
 from rosward.frontends.cpp.prepared import Choice
 from rosward.ir.symbols import Scope, SymbolKind
 from rosward.records import NamedTuple
@@ -52,6 +61,13 @@ class Declared(NamedTuple):
     def label(self) -> str:
         """The name of the scope that it makes: a specialisation has its own."""
         return self.name + dense(self.arguments)
+
+    @property
+    def called(self) -> tuple[str, ...]:
+        """What a definition elsewhere calls the parameters of the only class template that is written before its name."""
+        if not self.templates or [part.arguments is not None for part in self.before].count(True) != 1:
+            return ()
+        return tuple(template_parameter_name(each) for each in self.templates[0].named_children)
 
 
 class Outline(NamedTuple):

@@ -143,10 +143,14 @@ class FileSymbols:
 
     def linkage(self, symbol: CppSymbol) -> str:
         """The source that alone may see a symbol, or ''."""
-        if not self.source or symbol.owner is not None:
+        if not self.source:
             return ""
         file = self.parsed.prepared.file
-        if "" in symbol.scope or symbol.kind in _SEEN_BY_ONE:
+        if "" in symbol.scope:
+            return file
+        if symbol.owner is not None:
+            return ""
+        if symbol.kind in _SEEN_BY_ONE:
             return file
         if symbol.declared.before or symbol.kind not in {SymbolKind.VARIABLE, SymbolKind.FUNCTION}:
             return ""

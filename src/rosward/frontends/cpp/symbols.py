@@ -148,7 +148,8 @@ class CppSymbols:
     @cached_property
     def derived(self) -> Sequence[CppSymbol]:
         """The classes that have a base and are no templates."""
-        return derived(self.files)
+        found = (next((s for s in self.at(d.scope, d.name) if s.key == d.key), None) for d in derived(self.files))
+        return [symbol for symbol in found if symbol is not None]
 
     @cached_property
     def main(self) -> CppSymbol | None:

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, TypeAlias
 
+from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source.cmake.text import Command
 
@@ -28,6 +29,13 @@ class Block(NamedTuple):
     opening: Command
     body: list[Step]
     branches: list[tuple[Command, list[Step]]]
+
+
+class Way(NamedTuple):
+    """One way of an `if` that nobody can decide, each time that it is read."""
+
+    place: Place
+    number: int
 
 
 Step: TypeAlias = Command | Block

@@ -23,12 +23,12 @@ from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source import disk, limits
 from rosward.source.boundary import Boundary
-from rosward.source.cmake.blocks import Block, Step, blocks
+from rosward.source.cmake.blocks import Block, Step, Way, blocks
 from rosward.source.cmake.conditions import Surroundings, holds
 from rosward.source.cmake.files import PackageFiles
 from rosward.source.cmake.joined import joined
 from rosward.source.cmake.lists import COMPUTATIONS, change_list, loop_items
-from rosward.source.cmake.probes import may_write, written
+from rosward.source.cmake.probes import is_kept, may_write, written
 from rosward.source.cmake.reader import Reader
 from rosward.source.cmake.text import Command, parse_cmake
 from rosward.source.cmake.variables import HOLE, Variables
@@ -77,8 +77,9 @@ class Interpreter:
         self._first = dict(variables)
         self.variables = Variables(self._known, reader.environment, self._spent, variables)
         self.functions: dict[str, Function] = {}
-        self.undecided: list[Place] = []
-        """The conditions around the command that nobody could decide."""
+        self.undecided: list[Way] = []
+        """The ways around the command that nobody could say are taken."""
+        self._ways = 0
         self.doubts: dict[Place, None] = {}
         """All such conditions."""
         self.findings: list[Finding] = []
@@ -184,13 +185,14 @@ class Interpreter:
         self.doubts[place] = None
         before = self.variables.values
         self._spent(len(before) // 10)
-        self.undecided.append(place)
         after: list[dict[str, str]] = []
         for body in branches:
             self.variables.values = dict(before)
+            self._ways += 1
+            self.undecided.append(Way(place, self._ways))
             self.run(body, depth)  # what leads out of a way that may not be taken does not lead out
+            self.undecided.pop()
             after.append(self.variables.values)
-        self.undecided.pop()
         self.variables.values = joined(before, after)
         return ""
 
@@ -263,6 +265,7 @@ class Interpreter:
                 self._call(name, arguments, depth)
             case name if (values := written(name, arguments)) is not None:
                 self._take(values)
+                self._keep(values if is_kept(name) else {})
             case name:
                 if self._reader.unknown_command(name) and name in self.functions:
                     self._call(name, arguments, depth)
@@ -294,6 +297,13 @@ class Interpreter:
     def _take(self, values: dict[str, str]) -> None:
         if self._around is not None:
             self.variables.values.update(values)
+
+    def _keep(self, values: dict[str, str]) -> None:
+        """What a command writes for the whole build, whatever function it stands in."""
+        self._spent(len(values) * len(self._parents) // 50)
+        for scope in self._parents:
+            for name, value in values.items():
+                scope.setdefault(name, HOLE if self.undecided else value)
 
     def _subdirectory(self, arguments: list[str], depth: int) -> None:
         inner = self.inside(arguments[0])

@@ -152,6 +152,23 @@ def path_component(arguments: list[str], variables: Variables) -> bool:
     return True
 
 
+_PARTS: Final[Mapping[str, str]] = {
+    "FILENAME": "NAME",
+    "STEM": "NAME_WE",
+    "EXTENSION": "EXT",
+    "PARENT_PATH": "DIRECTORY",
+}
+"""Parts of a path for `cmake_path`, as `get_filename_component` names them."""
+
+
+def path_part(arguments: list[str], variables: Variables) -> bool:
+    """`cmake_path(GET variable PART name)`; nothing else of it is known."""
+    if len(arguments) != 4 or arguments[0] != "GET" or arguments[2] not in _PARTS:
+        return False
+    variables.set(arguments[3], [component(variables.values.get(arguments[1], ""), _PARTS[arguments[2]])])
+    return True
+
+
 def component(path: str, which: str) -> str:
     """A part of a path."""
     name = path.rpartition("/")[2]
@@ -228,6 +245,7 @@ COMPUTATIONS: Final[Mapping[str, Computation]] = {
     "get_filename_component": path_component,
     "string": change_string,
     "math": compute,
+    "cmake_path": path_part,
     "cmake_parse_arguments": parse_arguments,
 }
 """By the name of the command."""

@@ -14,8 +14,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final, final
 
-from rosward.location import Place
 from rosward.source import disk, limits
+from rosward.source.cmake.blocks import Way
 from rosward.source.cmake.generators import meant, objects_of
 from rosward.source.cmake.interpreter import Interpreter
 from rosward.source.cmake.reader import Handler
@@ -98,7 +98,12 @@ class TargetCommands:
 
     def add(self, name: str, made: Made, sources: Sequence[str], command: Command) -> None:
         """Make a target, or add sources to it."""
-        if HOLE in name or len(self.made) >= _TARGET_LIMIT:
+        if HOLE in name:
+            paths = (self._interpreter.inside(source) for source in sources if HOLE not in source)
+            if made is Made.PROGRAM and any(path is not None and disk.is_file(path) for path in paths):
+                self._interpreter.doubt("The name of this program is not known: it is missing.", command)
+            return
+        if len(self.made) >= _TARGET_LIMIT:
             return
         target = self.made.get(name)
         if target is None:
@@ -220,15 +225,17 @@ class TargetCommands:
                 yield into, argument
 
     def _target_links(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        sure = self._is_sure(self._within(arguments[0]))
         for into, argument in self._by_visibility(arguments):
             for using in into:
-                using.links |= self._links([argument])
+                using.link(self._links([argument]), sure=sure)
 
     def _target_depends(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        sure = self._is_sure(self._within(arguments[0]))
         for into, argument in self._by_visibility(arguments):
             if HOLE not in argument:
                 for using in into:
-                    using.links[f"{argument}::*"] = None
+                    using.link([f"{argument}::*"], sure=sure)
 
     def _target_includes(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         for into, argument in self._by_visibility(arguments):
@@ -283,14 +290,18 @@ class TargetCommands:
             elif "::" in text:
                 into.links[text] = None
 
-    def _within(self, name: str) -> tuple[Place, ...]:
+    def _is_sure(self, within: tuple[Way, ...]) -> bool:
+        """Whether what is read now happens wherever these ways are taken."""
+        return all(way in within for way in self._interpreter.undecided)
+
+    def _within(self, name: str) -> tuple[Way, ...]:
         target = self.find(name)
         return target.within if target is not None else ()
 
-    def _definitions(self, texts: Iterable[str], within: tuple[Place, ...] = ()) -> dict[Definition, None]:
-        """The macros that arguments define, of what stands itself `within` these conditions that nobody knows."""
+    def _definitions(self, texts: Iterable[str], within: tuple[Way, ...] = ()) -> dict[Definition, None]:
+        """The macros that arguments define, of what stands itself `within` these ways."""
         found: dict[Definition, None] = {}
-        known = all(place in within for place in self._interpreter.undecided)
+        known = self._is_sure(within)
         for argument in texts:
             text, sure = meant(argument)
             name, equals, value = text.removeprefix("-D").partition("=")

@@ -194,9 +194,10 @@ class Builds:
         return self._compiled
 
     def _reached(
-        self, build: Build, target: Built, elsewhere: dict[str, None], *, handed: bool = False
+        self, build: Build, target: Built, elsewhere: dict[str, None], *, handed: bool = False, loose: bool = True
     ) -> Iterator[tuple[Build, Built]]:
-        """The target and all that it is linked with. With `handed`, only what these hand on to those that link with them."""
+        """The target and all that it is linked with. With `handed`, only what these hand on to those that link with them; without `loose`,
+        only what it is linked with for sure."""
         seen: set[tuple[str, str]] = set()
         waiting: list[tuple[Build, Built]] = [(build, target)]
         position = 0
@@ -211,7 +212,8 @@ class Builds:
             links = dict.fromkeys((*current.objects, *current.own.links))
             if position > 1:
                 links = dict.fromkeys(current.handed.links) | ({} if handed else links)
-            for link in links:
+            left_out = () if loose else (*current.own.loose, *current.handed.loose)
+            for link in (link for link in links if link not in left_out):
                 found = list(self._linked(here, link))
                 waiting += found
                 if not found:
@@ -243,10 +245,12 @@ class Builds:
             includes = dict.fromkeys(target.own.includes)
             definitions = dict.fromkeys(target.own.definitions)
             packages = [build.package]
+            sure = {id(other) for _, other in self._reached(build, target, {}, handed=True, loose=False)}
             for owner, other in self._reached(build, target, {}, handed=True):
                 if other is not target:
                     includes |= dict.fromkeys(other.handed.includes)
-                    definitions |= dict.fromkeys(other.handed.definitions)
+                    own = other.handed.definitions
+                    definitions |= dict.fromkeys(own if id(other) in sure else (d._replace(sure=False) for d in own))
                 packages.append(owner.package)
             links = (link.partition("::")[0] for link in target.own.links if "::" in link)
             reached = dict.fromkeys([*packages, *links, *build.depends])

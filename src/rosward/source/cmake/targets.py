@@ -10,12 +10,14 @@ What is for those that link against a target, and not for the target itself, is 
 from __future__ import annotations
 
 import enum
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import final
 
 from rosward.findings import Finding
 from rosward.location import Place
 from rosward.records import NamedTuple
+from rosward.source.cmake.blocks import Way
 from rosward.source.cmake.variables import HOLE
 
 
@@ -37,11 +39,15 @@ class Definition(NamedTuple):
 
 
 class Usage(NamedTuple):
-    """How something is compiled and linked: folders of headers, macros, and the names of libraries or `package::*`."""
+    """How something is compiled and linked: folders of headers, macros, and the names of libraries or `package::*`.
+
+    `loose` are those libraries of which nobody knows whether it is linked with them.
+    """
 
     includes: tuple[str, ...] = ()
     definitions: tuple[Definition, ...] = ()
     links: tuple[str, ...] = ()
+    loose: tuple[str, ...] = ()
 
 
 class Built(NamedTuple):
@@ -110,10 +116,20 @@ class Using:
     includes: dict[str, None] = field(default_factory=dict)
     definitions: dict[Definition, None] = field(default_factory=dict)
     links: dict[str, None] = field(default_factory=dict)
+    loose: dict[str, None] = field(default_factory=dict)
+
+    def link(self, names: Iterable[str], *, sure: bool) -> None:
+        """It is linked with these; without `sure`, nobody knows whether."""
+        for name in names:
+            if sure:
+                self.loose.pop(name, None)
+            elif name not in self.links:
+                self.loose[name] = None
+            self.links[name] = None
 
     def copy(self) -> Using:
         """The same, to be added to."""
-        return Using(dict(self.includes), dict(self.definitions), dict(self.links))
+        return Using(dict(self.includes), dict(self.definitions), dict(self.links), dict(self.loose))
 
     def with_(self, other: Using) -> Usage:
         """Its own things, then those of another."""
@@ -121,6 +137,7 @@ class Using:
             tuple({**self.includes, **other.includes}),
             tuple({**self.definitions, **other.definitions}),
             tuple({**self.links, **other.links}),
+            tuple({**self.loose, **other.loose}),
         )
 
 
@@ -129,7 +146,7 @@ class Using:
 class Making:
     """A target in the course of being read; `folder` is what all targets of its folder use.
 
-    `within`: the conditions that nobody knows around the only place that makes it.
+    `within`: the ways around the only place that makes it, of which nobody knows whether they are taken.
     """
 
     name: str
@@ -137,7 +154,7 @@ class Making:
     place: Place
     sure: bool
     folder: Using
-    within: tuple[Place, ...] = ()
+    within: tuple[Way, ...] = ()
     sources: dict[str, None] = field(default_factory=dict)
     missing: dict[str, None] = field(default_factory=dict)
     objects: dict[str, None] = field(default_factory=dict)
@@ -153,6 +170,7 @@ class Making:
             self.within = ()
             for using in (self.own, self.handed):
                 using.definitions = {d._replace(sure=False): None for d in using.definitions}
+                using.loose = dict(using.links)
 
     def made_up(self) -> Built:
         """The target as it is now."""

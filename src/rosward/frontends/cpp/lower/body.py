@@ -7,8 +7,7 @@ lowering function, which `entry.py` puts together, so that expressions, statemen
 Registers are a stack: `this`, captures, template parameters, parameters, then the variables of each block while it lasts, then
 temporaries, which are free after their statement.
 
-An expression is lowered for what is wanted of it: its 'value'; its 'slot', where it stands; an 'own' value for a new variable; or its
-'effect' alone.
+An expression is lowered for what is wanted: its 'value'; its 'slot', where it stands; an 'own' value for a new variable; its 'effect' alone.
 """
 
 from __future__ import annotations
@@ -70,7 +69,7 @@ _RESULTS: Final = frozenset(
 class Shared:
     """What the bodies of one declaration share."""
 
-    __slots__ = ("choices", "expressions", "local", "packs", "parsed", "statements", "survey", "unit", "using")
+    __slots__ = ("called", "choices", "expressions", "local", "packs", "parsed", "statements", "survey", "unit", "using")  # fmt: skip
 
     def __init__(
         self,
@@ -92,6 +91,7 @@ class Shared:
         self.expressions = expressions
         self.statements = statements
         self.using: list[Path] = []
+        self.called: Path = ()
 
 
 @final

@@ -154,6 +154,8 @@ def _method(body: Body, node: Node, function: Node, listed: Node | None, want: W
 
 def _given(argument: Node | None) -> str:
     """As what an object is given to a function of it: a place, what a call gives, or what is new or moved."""
+    while argument is not None and argument.type == "parenthesized_expression" and argument.named_children:
+        argument = argument.named_children[0]
     if argument is None or argument.type not in ("call_expression", "compound_literal_expression", "cast_expression"):
         return "slot"
     function = argument.child_by_field_name("function")

@@ -159,6 +159,7 @@ def _body(written: Written, root: Node, leading: int) -> Body:
     packs = packs_around(written.declared.node)
     shared = Shared(written.parsed, written.unit, survey(root), choices, packs, written.local, EXPRESSIONS, STATEMENTS)
     declared = written.declared
+    shared.called = declared.called
     body = Body(shared, "::".join((*declared.scope, *(part.name for part in declared.before), declared.name)))
     if leading:
         body.has_this = True

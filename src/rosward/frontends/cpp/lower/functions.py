@@ -213,5 +213,5 @@ def finish(body: Body, function: Function, name: str) -> Code:
         index=function.node.start_byte * _KEYS + function.which,
         language=CPP,
         unit=body.shared.unit,
-        signature=function.signature._replace(using=tuple(body.shared.using)),
+        signature=function.signature._replace(using=tuple(body.shared.using), called=body.shared.called),
     )

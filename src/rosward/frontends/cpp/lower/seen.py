@@ -68,6 +68,8 @@ def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Blo
 
 def part_counts(node: Node) -> bool:
     """Whether `auto` of an expression may be a short or unsigned number: of a part of something, or what a function returns, which is no iterator."""
+    while node.type == "parenthesized_expression" and node.named_children:
+        node = node.named_children[0]
     if node.type == "call_expression":
         function = node.child_by_field_name("function")
         if function is None:
@@ -349,6 +351,9 @@ def is_constant(body: Body, node: Node | None, *, through: bool = False) -> bool
             here = here.child_by_field_name("argument")
         elif kind == "subscript_expression" and not through:
             here = here.child_by_field_name("argument")
+        elif kind == "call_expression" and word(here.child_by_field_name("function")) == "std::move" and not through:
+            listed = here.child_by_field_name("arguments")
+            here = listed.named_children[0] if listed is not None and listed.named_children else None
         else:
             return kind == "call_expression" and word(here.child_by_field_name("function")) == "std::as_const"
     return False
