@@ -89,6 +89,7 @@ def test_variables_of_a_shell(line: str, lines: list[str]) -> None:
 
 def test_a_long_line_of_a_shell_is_read_in_time() -> None:
     for long in (
+        "bash <<A\n" * 50_000,
         "$(" * 50_000,
         "$(" * 20_000 + ")" * 20_000,
         "`'\"" * 30_000,

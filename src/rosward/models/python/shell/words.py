@@ -47,22 +47,24 @@ _OPERATORS: Final = re.compile(r"[();<>|&]+")
 _REDIRECTION: Final = re.compile(r"(?:&(?=>))?[<>]+[&|]?")
 _HOLE: Final = "\0"
 _SHOWN: Final = 200
+_DEEP: Final = 8
+"""Documents within documents are read so far."""
 
 
-def read_line(line: Value, place: Place) -> Line:
-    """A line as a shell reads it."""
-    return _Reader(line, place).read()
+def read_line(line: Value, place: Place, depth: int = 0) -> Line:
+    """A line as a shell reads it; `depth`: that of a document in so many others."""
+    return _Reader(line, place, depth).read()
 
 
 class _Reader:
     """One reading of a line, character by character; a hole is one of them."""
 
-    def __init__(self, line: Value, place: Place) -> None:
+    def __init__(self, line: Value, place: Place, depth: int) -> None:
         parts = parts_of(line)
         self.text = "".join(_HOLE if isinstance(p, Hole) else p.replace(_HOLE, "") for p in parts)
         self.holes = [p for p in parts if isinstance(p, Hole)]
         self.passed = 0
-        self.line, self.place = line, place
+        self.line, self.place, self.depth = line, place, depth
         self.found = Line([("", [])], [])
         self.word: list[Piece] | None = None
         self.file = False
@@ -141,9 +143,9 @@ class _Reader:
         for name, fed in self.documents:
             match = re.compile(rf"^\t*{re.escape(name)}[ \t]*$", re.MULTILINE).search(self.text, number)
             end, behind = (len(self.text),) * 2 if match is None else match.span()
-            if fed:
+            if fed and self.depth < _DEEP:
                 body = make(self._parts(number, end), origins_of(self.line))
-                self.found.commands.extend(read_line(body, self.place).commands)
+                self.found.commands.extend(read_line(body, self.place, self.depth + 1).commands)
                 self._between(";")
             number = self._skip(number, behind)
         self.documents.clear()
