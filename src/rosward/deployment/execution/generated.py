@@ -82,6 +82,10 @@ class GeneratedFiles:
             self._made[path] = content
         return Const(path)
 
+    def is_made(self, path: Value) -> bool:
+        """Whether the launch writes the file behind a path: what it lacks for that is told there."""
+        return plain_text(path) in self._made
+
     def new_path(self) -> Value:
         """A path for what Python code of the launch writes, numbered instead of random."""
         self._paths += 1

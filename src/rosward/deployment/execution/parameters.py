@@ -190,7 +190,7 @@ class LaunchedParameters:
         """A file by its path. One that is not there is left out (`needed`: launch fails instead)."""
         contents = [(option, self._scene.generated.content(option, place)) for option in options(path)]
         for option, content in contents:
-            if content.absent:
+            if content.absent and not self._scene.generated.is_made(option):
                 shown = self._scene.files.show(option)
                 if needed:
                     self._scene.fails(f"the parameter file {shown} does not exist", place)
