@@ -98,7 +98,7 @@ def answer(*paths: Path, **options: Any) -> str:
     return network_json(replace(network, asked=NOT_TOLD))
 
 
-@pytest.mark.parametrize("case", sample(CASES, 2), ids=lambda case: case.name)
+@pytest.mark.parametrize("case", sample(CASES, 3), ids=lambda case: case.name)
 def test_the_programs_of_several_files(case: Case, tmp_path: Path) -> None:
     for name, text in case.files.items():
         path = tmp_path / name
