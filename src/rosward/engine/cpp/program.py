@@ -129,10 +129,10 @@ def _of_instances(machine: Engine) -> None:
         cls = value_of(machine, Found((symbol,), env, outer), None)
         for base in cls.mro if isinstance(cls, Class) else ():
             info = program.info(base)
-            for name in used.get(info.scope, ()) if info is not None else ():
-                found = names.in_class(machine, info, name) if info is not None else None
-                if found is not None:
-                    variable(machine, found)
+            if info is not None:
+                found = (names.in_class(machine, info, name) for name in used.get(info.scope, ()))
+                for each in filter(None, found):
+                    variable(machine, each)
 
 
 def _may_be_object(symbol: Symbol) -> bool:
