@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
+from sampling import sample
 
 from deployment.python_tree import Files, Launch
 from rosward.deployment.python.actions import Actions
@@ -43,7 +44,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Files:
     return Files(tmp_path_factory.mktemp("stubs"), "")
 
 
-@pytest.mark.parametrize("name", [*MODULES, "xacro"])
+@pytest.mark.parametrize("name", sample([*MODULES, "xacro"], 3))
 def test_a_model_can_be_loaded(name: str, files: Files) -> None:
     """No name in it leads nowhere."""
     library = Library(files.tree, own_models())

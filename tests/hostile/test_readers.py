@@ -242,7 +242,7 @@ HOSTILE: Final = [
 
 
 @pytest.mark.parametrize(
-    ("name", "text"), sample([pytest.param(n, t, id=f"{n}: {t[:40]!r}"[:70], marks=marks(t)) for n, t in HOSTILE], 3)
+    ("name", "text"), sample([pytest.param(n, t, id=f"{n}: {t[:40]!r}"[:70], marks=marks(t)) for n, t in HOSTILE], 6)
 )
 def test_no_file_costs_the_others(tmp_path: Path, name: str, text: str) -> None:
     ws = workspace(tmp_path)

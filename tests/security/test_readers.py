@@ -21,6 +21,7 @@ from typing import Final
 import pytest
 import xmlschema
 from outputs.networks import entity, node, pub, sub, talker_and_listener
+from sampling import sample
 
 from rosward import Entity, EntityKind, Network
 from rosward.enclaves.grants import enclaves
@@ -92,7 +93,7 @@ def unharmed(network: Network, text: str, found: dict[str, set[Right]]) -> bool:
     return comments(text) == comments(policy_xml(network))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", sample(NAMES, 3))
 def test_sros2_reads_and_merges_the_policy_unharmed(
     name: str, read: Callable[[str], list[Network]], tally: Counter[str]
 ) -> None:
