@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from sampling import sample
 
 from frontends.cpp.units import lines, prepared, preprocessor, translate
 from rosward.frontends.cpp.clean import cleaned
@@ -277,7 +278,7 @@ def _bomb(levels: int) -> str:
 
 @pytest.mark.parametrize(
     "text",
-    [
+    sample([
         _bomb(30) + "A30\n" * 50,
         "#define F(x) x x\n" + "F(" * 300 + ")" * 300,
         "#define F(x) F(x F)\nF(F)(F)",
@@ -298,7 +299,7 @@ def _bomb(levels: int) -> str:
         "#define P(a, b) a ## b\nP(,)P(P,P)(1,2)P(\",\")",
         "RCLCPP_COMPONENTS_REGISTER_NODE(\n" * 5_000,
         "new a" + "*" * 50_000,
-    ],
+    ], 3),
 )  # fmt: skip
 def test_texts_that_would_not_end(text: str) -> None:
     result = prepared(text)
