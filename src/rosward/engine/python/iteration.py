@@ -163,9 +163,9 @@ def _over_items(
 
 def _found(machine: Engine, op: ops.ForEach, frame: Frame, source: Value) -> Items:
     """What a loop runs over: each element once, or what may stand where if it may be left before all had their turn, as by who asks a generator."""
-    left = frame.yielded is not None or _may_leave(op.body, nested=False)
-    if left and source.__class__ is Ref and unordered(machine.obj(source)):
-        return in_places(machine, source)
+    if source.__class__ is Ref and unordered(machine.obj(source)):
+        left = frame.yielded is not None or _may_leave(op.body, nested=False)
+        return in_places(machine, source) if left else iterate(machine, source)
     return iterate(machine, source)
 
 
