@@ -21,7 +21,7 @@ def leaves_out(seen: Seen, functions: Iterable[Code], library: Library) -> bool:
     """Whether something unknown may call a function that creates an entity and was not entered."""
     unseen = Unseen((seen,))
     creating = library.facts.creating
-    for code in functions:
-        if code.key not in seen.entered and unseen.may_call(code.file, code.qualname) and creates(code, creating):
-            return True
-    return False
+    return any(
+        code.key not in seen.entered and unseen.may_call(code.file, code.qualname) and creates(code, creating)
+        for code in functions
+    )

@@ -20,7 +20,7 @@ class Budget(NamedTuple):
     what computes much comes to rest: loops are no longer followed turn by turn, nor calls in contexts of their own.
     `unaware`: those in functions in C++ that know nothing of ROS, before those that take many are no longer followed.
     `entry_coarse`: the steps of one callback after which the same happens; `loop_steps`: those of one outermost loop, until it ends.
-    `entry_idle`, `loop_idle`: those since something was created, for a process that is followed in haste, as each is at first: where something
+    `entry_idle`, `loop_idle`: those since something was created, for a process followed in haste, as each in Python is at first: where something
     is created that may depend on it, or a callback takes `entry_hasty` or a loop `loop_hasty`, it is followed anew, that part without haste.
     `large`: the operations of a body that is then followed once for all its calls.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.

@@ -38,6 +38,7 @@ __all__ = [
     "decayed",
     "give_to",
     "hand_over",
+    "is_a",
     "is_constant",
     "is_foreign",
     "is_member",
@@ -67,9 +68,7 @@ def hand_over(
     if machine.watch is not None:
         machine.watch.strange(name)
     held = _bound(machine, [bare(machine, v) for v in values])
-    made = [
-        t for t in types if isinstance(t, Class) and not any(_is_a(machine, o, t) for v in held for o in options(v))
-    ]
+    made = [t for t in types if isinstance(t, Class) and not any(is_a(machine, o, t) for v in held for o in options(v))]
     machine.escape((*held, *made), name, callee)
     for value in held if informed else ():
         change(machine, value, name, informed=True)
@@ -84,7 +83,7 @@ def hand_over(
         note_call(machine)  # now, or before it wrote anything: what it may have written covers both
 
 
-def _is_a(machine: Engine, value: Value, cls: Class) -> bool:
+def is_a(machine: Engine, value: Value, cls: Class) -> bool:
     """Whether a value is an object of a class, or of one that derives from it."""
     own = machine.obj(value).cls if isinstance(value, Ref) else None
     return isinstance(own, Class) and cls in own.mro
@@ -184,7 +183,7 @@ def objects_of(machine: Engine, scope: ModuleValue, objects: Sequence[Value]) ->
         return []
     found: list[Ref] = []
     for ref in objects:
-        if isinstance(ref, Ref) and info.cls is not None and _is_a(machine, ref, info.cls):
+        if isinstance(ref, Ref) and info.cls is not None and is_a(machine, ref, info.cls):
             found.append(ref)
     return found
 

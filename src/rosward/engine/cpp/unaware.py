@@ -20,7 +20,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import TRUE, UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine.calls import activation
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
-from rosward.engine.cpp.handing import is_constant, may_be_written
+from rosward.engine.cpp.handing import is_a, is_constant, may_be_written
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.opaque import opaque
 from rosward.engine.cpp.thunks import evaluate
@@ -147,8 +147,7 @@ def _led_to(machine: Engine, symbol: Symbol, type_: Value, handed: _Handed) -> I
     cls = type_ if target is None else target
     if isinstance(cls, Class) and (symbol.reference or target is not None):
         for ref in handed.objects:
-            own = machine.obj(ref).cls
-            if isinstance(own, Class) and cls in own.mro:
+            if is_a(machine, ref, cls):
                 yield ref if target is None else Pointer(ref)
 
 
