@@ -19,7 +19,7 @@ from rosward.engine import control
 from rosward.engine.python import contexts, exceptions, iteration, stepping, suspending
 from rosward.engine.python.equality import truth
 from rosward.engine.python.iteration import Begun
-from rosward.engine.running.frame import Frame, Snapshot, join_into
+from rosward.engine.running.frame import Frame, join_into
 from rosward.engine.running.stepped import Resumption
 from rosward.engine.running.ways import parts
 from rosward.ir import ops
@@ -86,11 +86,8 @@ def _while(
         alive = finish()
         if part == "condition" and alive:
             decided = truth(machine, frame.registers[op.test])
-            before = machine.snapshot(frame)
-            if decided is not True and machine.run(op.orelse, frame):
-                left = Snapshot(frame.registers, machine.state)
-                frame.exits.broken = join_into(machine, frame.exits.broken, left)
-            machine.resume(frame, before)
+            if decided is not True:
+                frame.exits.ended = join_into(machine, frame.exits.ended, machine.snapshot(frame))
             alive = decided is not False and machine.run(op.body, frame)
         return control.end_turn(machine, frame, alive=alive)
 
