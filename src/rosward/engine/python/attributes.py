@@ -199,6 +199,8 @@ def plain_attribute(machine: Engine, ref: Ref, name: str) -> Value:
         return cls
     if name == "__dict__":
         return table_of(machine, ref.address)
+    if name == "__module__" and cls.__class__ is Class:
+        return Const(cls.module)
     if name in MEMBERS:
         member = member_of(machine, obj, name)
         if member is not None:
