@@ -153,7 +153,7 @@ def _in_finally(machine: Engine, op: ops.Try, frame: Frame, finish: Callable[[],
 
 
 def _ways_out(blocks: tuple[ops.Block, ...], *, nested: bool) -> set[str]:
-    """How control may leave blocks in words of the program: `raised`, and `broken` and `continued` for the loop around; `nested`: in a loop of their own."""
+    """How control may leave blocks in words of the program: `raised`, `broken`, `continued`; `nested`: in a loop that stands in them."""
     found: set[str] = set()
     for op in (op for block in blocks for op in block):
         if op.__class__ is ops.Raise:
