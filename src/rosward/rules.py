@@ -123,7 +123,7 @@ _TABLE: Final = (
     ),
     Rule(
         "RW202",
-        "node passed to an unknown library",
+        "node or type passed to an unknown library",
         _E,
         "Describe the library in a stub file (--models), or check manually what it creates.",
     ),

@@ -194,13 +194,15 @@ def test_launch_files_are_no_nodes(tmp_path: Path) -> None:
             "launch/b.py": launch,
             "launch/deep/c.py": launch,
             "launch/helper.py": "x = 1\n",
+            "launch/writer.py": "# generate_launch_description\nTEXT = 'def generate_launch_description():'\n",
+            "launch/taken.py": "from demo.common import (\n    generate_launch_description,\n)\n",
             "d_launch.py": launch,
             "e.py": launch,
             "launch/f.launch.xml": "",
             "g.launch": "",
         },
     )
-    assert names(found) == ["e.py", "launch/helper.py"]
+    assert names(found) == ["e.py", "launch/helper.py", "launch/writer.py"]
     assert [file.relative for file in found.launch_files] == [
         "a.launch.py",
         "d_launch.py",
@@ -208,6 +210,7 @@ def test_launch_files_are_no_nodes(tmp_path: Path) -> None:
         "launch/b.py",
         "launch/deep/c.py",
         "launch/f.launch.xml",
+        "launch/taken.py",
     ]
 
 

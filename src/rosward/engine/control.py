@@ -16,7 +16,7 @@ from rosward.domain.state import EventKey
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import INSTEAD, Cause, Reason
 from rosward.domain.values import UNBOUND, Choice, Const, Unknown, Value
-from rosward.engine.running.frame import Frame, Snapshot, join_into
+from rosward.engine.running.frame import Frame, OfLoop, Snapshot, join_into
 from rosward.engine.running.rest import Rest
 from rosward.engine.throwing import note_turn
 from rosward.ir import ops
@@ -83,10 +83,14 @@ def continue_(machine: Engine, _op: ops.Continue, frame: Frame) -> bool:
     return False
 
 
-def behind(machine: Engine, frame: Frame, alive: bool, saved: tuple[Snapshot | None, Snapshot | None]) -> bool | None:
-    """Behind a loop: where it ended by itself, joined with where it was left by break."""
-    broken = frame.exits.broken
-    frame.exits.broken, frame.exits.continued = saved
+def behind(machine: Engine, op: ops.While | ops.ForEach, frame: Frame, alive: bool, around: OfLoop) -> bool | None:
+    """Behind a loop: `else` where it ended by itself (a `break` there leaves the loop `around`), joined with where it was left by break."""
+    broken, ended = frame.exits.broken, frame.exits.ended
+    frame.exits.broken, frame.exits.continued, frame.exits.ended = around
+    if ended is not None:
+        machine.resume(frame, join_into(machine, ended, Snapshot(frame.registers, machine.state)) if alive else ended)
+        alive = True
+    alive = alive and machine.run(op.orelse, frame)
     if broken is not None:
         if alive:
             broken = join_into(machine, broken, Snapshot(frame.registers, machine.state))
@@ -126,8 +130,7 @@ def loop(
 ) -> bool | None:
     """A while loop: followed while its condition is known, then to a fixpoint. `begun`: a turn that was suspended, and how it is finished."""
     frame.op, frame.sequence = op, 0
-    saved, context = (frame.exits.broken, frame.exits.continued), frame.context
-    frame.exits.broken = frame.exits.continued = None
+    around, context = frame.exits.enter_loop(), frame.context
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
     limit = machine.budget.unroll_forever if forever else machine.budget.unroll_while
     alive, number, doubts = True, 0, 0
@@ -140,14 +143,14 @@ def loop(
         if not alive:
             machine.precision.end_loop(op, frame)
             frame.context = context
-            return behind(machine, frame, alive, saved)
+            return behind(machine, op, frame, alive, around)
         limit += number + 1
         number = number + 1 if 0 <= number < machine.budget.unroll_while else ANY_TURN
     while True:
         note_turn(machine)
         _enter_turn(machine, op, frame, context, number)
         if number == ANY_TURN:
-            alive = until_stable(machine, op, frame, None, None) and machine.run(op.orelse, frame)
+            alive = until_stable(machine, op, frame, None, None)
             break
         seen = (machine.state.version, frame.registers.copy())
         alive = machine.run(op.condition, frame)
@@ -160,13 +163,12 @@ def loop(
         # Defaults and alternatives say how many turns there are: none only of themselves.
         if True in ways or (ways and number):
             if len(ways) > 1:
-                frame.exits.broken = join_into(machine, frame.exits.broken, machine.snapshot(frame))
+                frame.exits.ended = join_into(machine, frame.exits.ended, machine.snapshot(frame))
             decided = True in ways
             sure = machine.state.done if sure is None else sure
             frame.uncertain += 1
             doubts += 1
         if decided is False:
-            alive = machine.run(op.orelse, frame)
             break
         if (
             decided is None
@@ -175,7 +177,7 @@ def loop(
             or roughly(machine, frame, number)
         ):
             _enter_turn(machine, op, frame, context, ANY_TURN)
-            alive = until_stable(machine, op, frame, seen[1], None) and machine.run(op.orelse, frame)
+            alive = until_stable(machine, op, frame, seen[1], None)
             break
         alive = turn(machine, op.body, frame)
         if not alive:
@@ -186,7 +188,6 @@ def loop(
                 if machine.state.version != seen[0]:
                     continue
                 if machine.schedule_book.running:
-                    alive = machine.run(op.orelse, frame)
                     break
             alive = False  # nothing changes any more: it never ends
             _never_ends(machine, frame)
@@ -199,7 +200,7 @@ def loop(
         machine.state.done = sure
     machine.precision.end_loop(op, frame)
     frame.context = context
-    return behind(machine, frame, alive, saved)
+    return behind(machine, op, frame, alive, around)
 
 
 def _named_ways(test: Value) -> frozenset[bool]:

@@ -50,7 +50,7 @@ _NO_NODES: Final = _FOREIGN | {
     "nicegui", "numba", "odrive", "ollama", "openai", "osqp", "paho", "paramiko", "pexpect", "picamera", "picamera2", "pigpio", "pinocchio",
     "playsound", "plotly", "PyKDL", "prompt_toolkit", "psutil", "psycopg2", "pupil_apriltags", "pyaudio", "pyautogui", "pybullet", "pycuda",
     "pydantic", "pydub", "pymavlink", "pymodbus", "pymongo", "pynmea2", "pynput", "pyproj", "pyqtgraph", "pyrealsense2", "pyttsx3", "pytz",
-    "pyudev", "pyzbar", "readchar", "redis", "rich", "rosbags", "ruamel", "shapely", "simple_pid", "slack_sdk", "smach", "socketio",
+    "pyudev", "pyzbar", "readchar", "redis", "rich", "rosbags", "rospy", "ruamel", "shapely", "simple_pid", "slack_sdk", "smach", "socketio",
     "sounddevice", "soundfile", "spatialmath", "speech_recognition", "sqlalchemy", "sshkeyboard", "stable_baselines3", "starlette",
     "streamlit", "supervision", "telegram", "tensorrt", "textual", "torchaudio", "tornado", "tqdm", "transformers", "trimesh", "twilio",
     "typer", "ultralytics", "usb", "utm", "uvicorn", "vosk", "webrtcvad", "websocket", "websockets", "werkzeug", "whisper", "wx", "xarm",
@@ -83,6 +83,14 @@ def makes_no_node(callee: External) -> bool:
     """Whether it is known of a class that it is no node, and makes none."""
     return (
         callee.name.partition(".")[0] in _NO_NODES or _OF_ROS.match(callee.name) is not None or creates_nothing(callee)
+    )
+
+
+def knows_no_types(callee: Value) -> bool:
+    """Whether it is known of what is called that it creates nothing with an interface type: its library has no nodes."""
+    return all(
+        name.partition(".")[0] in _NO_NODES or _OF_ROS.match(name) is not None or creates_nothing(External(name))
+        for name in _dotted(callee)
     )
 
 

@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 
 _LEVELS_ABOVE: Final = 12
 _OTHERS_TOO: Final = ("_launch.yaml", "_launch.yml")
+_MAKES_LAUNCH: Final = re.compile(rb"^[^'\"#\n]*\bgenerate_launch_description\b", re.MULTILINE)
+"""The function is made or imported there; what writes launch files has its name in texts alone."""
 _LAUNCH_KEY: Final = re.compile(rb"^(?:\xef\xbb\xbf)?(?:---|!!map)?[\s{?]*[\"']?launch[\"']?\s*:", re.MULTILINE)
 
 
@@ -200,7 +202,7 @@ def _is_launch(path: str) -> bool:
     if not name.endswith("launch.py") and "launch" not in Path(folder).parts[-3:]:
         return False
     data = read_bytes(path, path, limits.PYTHON_FILE)
-    return isinstance(data, bytes) and b"generate_launch_description" in data
+    return isinstance(data, bytes) and _MAKES_LAUNCH.search(data) is not None
 
 
 def _has_key(path: str) -> bool:

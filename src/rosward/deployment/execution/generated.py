@@ -74,8 +74,10 @@ class GeneratedFiles:
         self._put: dict[str, Value] = {}
         self._parsed_put: dict[str, Content] = {}
         self._read: dict[str, tuple[Content, tuple[Finding, ...]]] = {}
+        # By path: what is wrong, as parameters, with a file of any kind in which texts were replaced.
+        self._doubts: dict[str, tuple[Finding, ...]] = {}
 
-    def write(self, content: Content) -> Value:
+    def write(self, content: Content) -> Const:
         """A new file; its path."""
         path = f"{STEM}{len(self._made) + 1}"
         if len(self._made) < MAX_FILES:
@@ -122,9 +124,12 @@ class GeneratedFiles:
 
     def content(self, path: Value, place: Place, *, as_text: bool = False) -> Content:
         """The content of the file behind one path (not a Choice). `as_text`: what is wrong with it as parameters does not matter yet."""
-        made = self._made.get(plain_text(path) or "")
+        name = plain_text(path) or ""
+        made = self._made.get(name)
         if made is None and self._put:
             made = self._written(path, place)
+        if not as_text:
+            self._findings.add(*self._doubts.get(name, ()))
         if made is not None:
             return made
         file = self._files.find(path)
@@ -200,15 +205,9 @@ class GeneratedFiles:
         return lift(one, path)
 
     def _parsed(self, pieces: Sequence[Value], file: str, place: Place) -> Content:
-        """The content of a text in pieces, of which some may be unknown or one of several."""
-        ways: list[Rows] = []
-        texts = _ways(pieces)
-        for plain, holes in texts:
-            rows, findings = read_parameter_file(plain, file)
-            self._findings.add(*findings)
-            ways.append(tuple(_filled(row, holes) for row in rows))
-        known = len(texts) == 1 and not texts[0][1]
-        return Content(joined_rows(ways, place), texts[0][0] if known else None, file)
+        content, findings = _read(pieces, file, place)
+        self._findings.add(*findings)
+        return content
 
     def rewritten(self, source: Value, tables: Sequence[Pairs], root: Value, convert: Value, place: Place) -> Value:
         """RewrittenYaml of nav2_common; `tables` are its param_rewrites, key_rewrites and value_rewrites."""
@@ -241,7 +240,10 @@ class GeneratedFiles:
                     token = plain_text(old)
                     if token:
                         pieces = [p for piece in pieces for p in _split(piece, token, new)]
-                return self.write(self._parsed(pieces, before.file, place))
+                after, doubts = _read(pieces, before.file, place)
+                path = self.write(after)
+                self._doubts[str(path.value)] = doubts
+                return path
             if before.rows is None:
                 self._fails_without(before, option, place)
                 return self.write(before)
@@ -253,6 +255,19 @@ class GeneratedFiles:
         if content.absent:
             shown = self._files.show(path)
             self._findings.tell("RW320", f"The file {shown}, which is to be rewritten, does not exist.", place)
+
+
+def _read(pieces: Sequence[Value], file: str, place: Place) -> tuple[Content, tuple[Finding, ...]]:
+    """The content of a text in pieces, of which some may be unknown or one of several, and what is wrong with it as parameters."""
+    ways: list[Rows] = []
+    doubts: list[Finding] = []
+    texts = _ways(pieces)
+    for plain, holes in texts:
+        rows, findings = read_parameter_file(plain, file)
+        doubts += findings
+        ways.append(tuple(_filled(row, holes) for row in rows))
+    known = len(texts) == 1 and not texts[0][1]
+    return Content(joined_rows(ways, place), texts[0][0] if known else None, file), tuple(doubts)
 
 
 def _is_text(value: Value) -> bool:

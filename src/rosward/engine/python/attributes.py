@@ -199,6 +199,8 @@ def plain_attribute(machine: Engine, ref: Ref, name: str) -> Value:
         return cls
     if name == "__dict__":
         return table_of(machine, ref.address)
+    if name == "__module__" and cls.__class__ is Class:
+        return Const(cls.module)
     if name in MEMBERS:
         member = member_of(machine, obj, name)
         if member is not None:
@@ -342,7 +344,16 @@ def _of_super(machine: Engine, value: Super, name: str) -> Value:
                 return join(perhaps, inherited if name == "__new__" else BoundMethod(receiver, inherited))
     if name == "__new__":
         return join(perhaps, Native("object.__new__"))
+    if value.after in mro and not hasattr(object, name) and all(_tells_all(machine, base, name) for base in behind):
+        said = Const(f"'super' object has no attribute '{name}'")
+        sure = perhaps is UNBOUND
+        return join(perhaps, machine.die("AttributeError", f"no attribute {name} in any base", (said,), sure=sure))
     return join(perhaps, BoundMethod(receiver, Native(f"object.{name}")))
+
+
+def _tells_all(machine: Engine, base: Value, name: str) -> bool:
+    """Whether it is known of a base, behind which none has this attribute, that it has none either."""
+    return base == _OBJECT or (base.__class__ is Class and not may_hide(machine, base, name))
 
 
 def _through_super(machine: Engine, found: Value, receiver: Value, cls: Value, name: str) -> Value:

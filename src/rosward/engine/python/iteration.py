@@ -51,8 +51,7 @@ class Begun(NamedTuple):
 def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None = None) -> bool | None:
     """A loop over what a value yields. `begun`: go on in a turn that was suspended."""
     frame.op, frame.sequence = op, 0
-    saved, context = (frame.exits.broken, frame.exits.continued), frame.context
-    frame.exits.broken = frame.exits.continued = None
+    around, context = frame.exits.enter_loop(), frame.context
     returned, raised = frame.exits.returned, machine.raised
     if begun is None:
         source = stepping.made(machine, frame.registers[op.iterable], asynchronous=op.is_async)
@@ -73,9 +72,7 @@ def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None
         if left is not None and left is not returned:
             abandoned.close_behind(machine, left, source)
     abandoned.watch_raising(machine, source, raised)
-    if alive:
-        alive = machine.run(op.orelse, frame)
-    return behind(machine, frame, alive, saved)
+    return behind(machine, op, frame, alive, around)
 
 
 def _enter_turn(

@@ -3,7 +3,7 @@
 
 object.__setattr__(self, 'x', 1)      sets it past the class's own `__setattr__`
 super().__eq__(other)                 True for the object itself, else NotImplemented
-super().setup()                       an AttributeError, where no class has one: not known
+super().setup()                       where a class behind may have one that is not known
 """
 
 from __future__ import annotations

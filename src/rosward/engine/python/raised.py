@@ -124,7 +124,7 @@ def guarded(machine: Engine, action: Callable[[], Value], error: str, *, unseen:
     `unseen`: whether what Python or a library may raise by itself, in any operation, counts as that exception.
     """
     frame, catchers = machine.frames[-1], machine.catchers
-    catcher, others = Catcher(machine, frame), Catcher(machine, frame)
+    catcher, others = Catcher(machine, frame, handles=True, classes=(error,)), Catcher(machine, frame)
     machine.catchers = [*catchers, catcher]
     try:
         value = action()

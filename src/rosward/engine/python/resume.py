@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
-from rosward.domain.choice import join
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.suspended import ANY_TURN, EACH, KEPT, Path
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Value
@@ -19,9 +19,11 @@ from rosward.engine import control
 from rosward.engine.python import contexts, exceptions, iteration, stepping, suspending
 from rosward.engine.python.equality import truth
 from rosward.engine.python.iteration import Begun
-from rosward.engine.running.frame import Frame, Snapshot, join_into
+from rosward.engine.running.catcher import ANYTHING
+from rosward.engine.running.frame import Frame, join_into
 from rosward.engine.running.stepped import Resumption
 from rosward.engine.running.ways import parts
+from rosward.engine.throwing import is_unseen, note_sources
 from rosward.ir import ops
 from rosward.models.native import Items
 
@@ -86,11 +88,8 @@ def _while(
         alive = finish()
         if part == "condition" and alive:
             decided = truth(machine, frame.registers[op.test])
-            before = machine.snapshot(frame)
-            if decided is not True and machine.run(op.orelse, frame):
-                left = Snapshot(frame.registers, machine.state)
-                frame.exits.broken = join_into(machine, frame.exits.broken, left)
-            machine.resume(frame, before)
+            if decided is not True:
+                frame.exits.ended = join_into(machine, frame.exits.ended, machine.snapshot(frame))
             alive = decided is not False and machine.run(op.body, frame)
         return control.end_turn(machine, frame, alive=alive)
 
@@ -117,20 +116,55 @@ def _for_each(
 def _try(machine: Engine, op: ops.Try, frame: Frame, path: Path, kept: list[Value], action: Resumption) -> bool | None:
     part, finish = path[0].part, _inside(machine, op, frame, path, kept, action)
     if part == "final":
-        return _in_finally(machine, frame, finish)
+        return _in_finally(machine, op, frame, finish)
     if part == "body":
         return exceptions.attempt(machine, op, frame, body=finish)
-    return exceptions.attempt(machine, op, frame, handled=finish)
+    handled = _in_handler(machine, op, frame, part, finish) if part.startswith("handler ") else finish
+    return exceptions.attempt(machine, op, frame, handled=handled)
 
 
-def _in_finally(machine: Engine, frame: Frame, finish: Callable[[], bool]) -> bool:
-    """Behind a `finally` that was suspended: on any of the ways that lead through one."""
+def _in_handler(
+    machine: Engine, op: ops.Try, frame: Frame, part: str, finish: Callable[[], bool]
+) -> Callable[[], bool]:
+    """The rest of a handler, in which what it handles goes on by a bare `raise`."""
+    caught = options(frame.registers[op.handlers[int(part.partition(" ")[2])].bind])
+    known = [c for c in caught if not is_unseen(c)]
+
+    def handled() -> bool:
+        with machine.handles(join_all(known), ANYTHING if len(known) < len(caught) else 0):
+            return finish()
+
+    return handled
+
+
+def _in_finally(machine: Engine, op: ops.Try, frame: Frame, finish: Callable[[], bool]) -> bool:
+    """Behind a `finally` that was suspended: on any of the ways that lead through one, also with an exception that is on its way."""
     if not finish():
         return False
-    exits, here = frame.exits, machine.snapshot(frame)
-    exits.value = join(exits.value, machine.unknown(Cause.CALL, "finally"))
-    exits.returned = join_into(machine, exits.returned, here)
+    exits = frame.exits
+    exits.value = join(exits.value, machine.unknown(Cause.LIMIT, "what `return` gives where `finally` yields"))
+    ways = _ways_out(op.blocks[:-1], nested=False)
+    for way in ("returned", *sorted(ways & {"broken", "continued"})):
+        setattr(exits, way, join_into(machine, getattr(exits, way), machine.snapshot(frame)))
+    note_sources(machine)
+    if "raised" in ways:
+        machine.log.may_end(machine)
     return True
+
+
+def _ways_out(blocks: tuple[ops.Block, ...], *, nested: bool) -> set[str]:
+    """How control may leave blocks in words of the program: `raised`, `broken`, `continued`; `nested`: in a loop that stands in them."""
+    found: set[str] = set()
+    for op in (op for block in blocks for op in block):
+        if op.__class__ is ops.Raise:
+            found.add("raised")
+        elif not nested and op.__class__ in _JUMPS:
+            found.add(_JUMPS[op.__class__])
+        found |= _ways_out(getattr(op, "blocks", ()), nested=nested or op.__class__ in (ops.ForEach, ops.While))
+    return found
+
+
+_JUMPS: Final[dict[type[ops.Op], str]] = {ops.Break: "broken", ops.Continue: "continued"}
 
 
 def _with(

@@ -46,16 +46,30 @@ def join_into(
 
 @final
 class Exits:
-    """Where abrupt control goes, joined: `broken` and `continued` for the innermost loop, `returned` (with `value`) for the function."""
+    """Where abrupt control goes, joined: `broken` and `continued` for the innermost loop, `returned` (with `value`) for the function.
 
-    __slots__ = ("broken", "continued", "outer", "returned", "value")
+    `ended`: where the innermost loop may have ended by itself, though more turns follow.
+    """
+
+    __slots__ = ("broken", "continued", "ended", "outer", "returned", "value")
 
     def __init__(self, outer: Exits | None = None) -> None:
         self.outer = outer  # those of the statement around, where this is a `finally` or `with`
         self.broken: Snapshot | None = None
         self.continued: Snapshot | None = None
+        self.ended: Snapshot | None = None
         self.returned: Snapshot | None = None
         self.value: Value = UNBOUND
+
+    def enter_loop(self) -> OfLoop:
+        """A loop begins; what is kept of the loop around it."""
+        kept = (self.broken, self.continued, self.ended)
+        self.broken = self.continued = self.ended = None
+        return kept
+
+
+OfLoop = tuple[Snapshot | None, Snapshot | None, Snapshot | None]
+"""Where control left the turns of a loop, and where it may have ended."""
 
 
 @final

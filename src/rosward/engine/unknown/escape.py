@@ -5,25 +5,27 @@ lib.on_key(self.stop)         stop may be called from now on, with anything
 lib.fill(self.buf)            self.buf holds what it held or something unknown (havoc.py)
 lib.run(self)                 RW202: on this node the library may create what it likes
 lib.run(App(node=self))       RW202 too: it has the node by an attribute
+lib.Bridge(String, 'chatter')  RW202: with a type and a name it may create an entity on a node of its own
 lib.serve(Handler)            it may make a Handler, and call what nothing else calls of it
 lib.serve('demo.web:Handler') it may import it, then the same (named.py)
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, Partial, Tuple, function_behind
+from rosward.domain.compound import BoundMethod, External, Partial, Tuple, function_behind
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Pointer
-from rosward.domain.values import Class, Const, Function, Ref, Unknown, Value
+from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine.unknown import declared, named
 from rosward.engine.unknown.havoc import change, contents, holds_node
 from rosward.engine.unknown.wrapped import calls_program, leads_to_program
 from rosward.models.python.contents import CONTENTS
-from rosward.models.readers import creates_nothing, only_reads
+from rosward.models.readers import creates_nothing, knows_no_types, only_reads
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -46,12 +48,31 @@ def escape(machine: Engine, values: Iterable[Value], library: str, callee: Value
     is known of it that it creates nothing on a node.
     """
     seen: set[int] = set()
+    values = tuple(values)
+    _tell_type(machine, values, library, callee)
     foreign = callee is not None and creates_nothing(callee)
     reads = callee is not None and only_reads(callee)
     for value in values:
         _reach(machine, value, "" if foreign else library, callee, 0, seen)
         if not reads:
             change(machine, value, library or "a library")
+
+
+def _tell_type(machine: Engine, values: tuple[Value, ...], library: str, callee: Value | None) -> None:
+    """An interface type and a text, for a name, reach a library: what a node is asked for, so it may be one, or have one."""
+    if not isinstance(callee, (External, Unknown)) or knows_no_types(callee):
+        return
+    given = [option for value in values for option in options(value)]
+    types = [option.name for option in given if option.__class__ is External and _TYPE.fullmatch(option.name)]
+    if types and any(isinstance(o, Text) or (isinstance(o, Const) and isinstance(o.value, str)) for o in given):
+        machine.report(
+            "RW202",
+            f"the type {types[0].replace('.', '/')} and a text are passed to {library}; what that creates is unknown",
+            (_cause(library, callee),),
+        )
+
+
+_TYPE: Final = re.compile(r"\w+\.(?:msg|srv|action)\.[A-Z]\w*")
 
 
 def may_call(machine: Engine, values: Iterable[Value]) -> None:

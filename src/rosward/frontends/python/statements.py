@@ -123,7 +123,11 @@ def _handler(body: Body, node: ast.ExceptHandler) -> Handler:
     inner: Block = []
     body.ops = inner
     bind = NO_REGISTER
-    if node.name is not None:
+    if body.owner.is_generator:  # what is being handled is kept where it waits
+        bind = body.register()
+        if node.name is not None:
+            body.store(node, node.name, bind)
+    elif node.name is not None:
         kind, number = body.place(node.name)
         bind = number if kind is PlaceKind.REGISTER else body.register()
         if kind is not PlaceKind.REGISTER:

@@ -207,10 +207,15 @@ async def sleep(delay, result=None):
 async def gather(*coros_or_futures, return_exceptions=False):
     tasks = [ensure_future(one) for one in coros_or_futures]
     spin()
-    results = [await one for one in tasks]
     if return_exceptions:
-        return [unknown('live', 'result of a task') if unknown('live', 'exception of a task', 'bool') else one for one in results]
-    return results
+        return [await _outcome(one) for one in tasks]
+    return [await one for one in tasks]
+async def _outcome(task):
+    """What a task returns, or the exception that it ends with."""
+    try:
+        return await task
+    except (Exception, CancelledError) as error:
+        return error
 async def wait(fs, *, timeout=None, return_when=ALL_COMPLETED):
     tasks = {ensure_future(one) for one in fs}
     spin()

@@ -14,6 +14,13 @@ def unique(enumeration):
     return enumeration
 def verify(*conditions):
     return unique
+property = property
+class member:
+    def __init__(self, value):
+        self.value = value
+class nonmember:
+    def __init__(self, value):
+        self.value = value
 
 class EnumMeta(type): ...
 EnumType = EnumMeta

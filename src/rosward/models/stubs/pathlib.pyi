@@ -72,7 +72,7 @@ class PurePath:
         return _splitext(_basename(self._text))[1]
     @property
     def suffixes(self):
-        return ['.' + part for part in self.name.split('.')[1:]]
+        return ['.' + part for part in self.name.lstrip('.').split('.')[1:]]
     @property
     def anchor(self):
         return '/' if self._text.startswith('/') else ''

@@ -110,6 +110,10 @@ def _plain_set(machine: Machine, value: Value) -> frozenset[object] | None:
 def _ordered(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
     if isinstance(left, Tuple) and isinstance(right, Tuple):
         return _in_turn(machine, op, left.items, right.items)
+    if isinstance(left, Ref) and isinstance(right, Ref):
+        sets = _plain_set(machine, left), _plain_set(machine, right)
+        if None not in sets:
+            return bool(run(_ORDER[op], *sets))
     a, b = comparable(machine, left), comparable(machine, right)
     if a is NOT_PLAIN or b is NOT_PLAIN:
         return None

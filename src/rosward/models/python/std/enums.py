@@ -15,13 +15,13 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Tuple
+from rosward.domain.compound import Descriptor, External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.python.builtins.attributes import of_python
 from rosward.models.python.plain import int_of, text_of
+from rosward.models.python.std.enum_members import hook, is_member, said
 from rosward.models.python.std.enum_operations import (
     COMPARISONS,
     CONVERSIONS,
@@ -37,8 +37,6 @@ _COMBINED: Final = "_rosward_flags"
 """Where a class of flags keeps those of several bits that were asked for."""
 _AUTO: Final = "enum.auto()"
 _SEVERAL: Final = (Choice, Text, Unknown)
-_NO_MEMBER: Final = (Function, Descriptor, BoundMethod)
-"""What has a `__get__`: a method, not a member."""
 _MEMBERS: Final = "__members__"
 _DATA_TYPES: Final = ("str", "int", "float", "bytes")
 
@@ -53,7 +51,7 @@ def _data_type(cls: Class) -> str:
 
 
 def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) -> Value:
-    custom = _hook(call, cls, "_generate_next_value_")
+    custom = hook(call, cls, "_generate_next_value_")
     if custom is not None:
         return call.machine.call(custom, (Const(name), Const(1), Const(len(before)), call.machine.new_list(before)))
     if derives(cls, "enum.StrEnum"):
@@ -67,16 +65,6 @@ def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) ->
     if is_flag(cls):
         return Const(1 << highest.bit_length())
     return Const(highest + 1 if numbers else 1)
-
-
-def _hook(call: NativeCall, cls: Class, name: str) -> Value | None:
-    """The function that the sources give for a hook of an enumeration."""
-    for base in cls.mro:
-        if isinstance(base, Class) and not base.stub:
-            found = call.machine.obj(class_obj(base)).attrs.get(name)
-            if found is not None:
-                return found.getter if isinstance(found, Descriptor) else found
-    return None
 
 
 def _is_auto(value: Value) -> bool:
@@ -107,21 +95,6 @@ def _key(call: NativeCall, value: Value) -> object:
     return None if isinstance(value, _SEVERAL) else value
 
 
-def _is_member(call: NativeCall, cls: Class, name: str, value: Value) -> bool:
-    """Whether a name of the body is a member: not what has a `__get__`, nor a class that is written in the body."""
-    if name.startswith("_") and (name.endswith("_") or name.startswith("__")):
-        return False
-    if isinstance(value, Class):
-        return value.qualname != f"{cls.qualname}.{name}"
-    if isinstance(value, Native):
-        known = of_python(value.name)
-        return known is not None and not hasattr(known, "__get__")
-    if isinstance(value, Ref):
-        kind = call.machine.obj(value).cls
-        return not isinstance(kind, Class) or _hook(call, kind, "__get__") is None
-    return not isinstance(value, _NO_MEMBER) and value is not UNBOUND
-
-
 def make_members(call: NativeCall) -> Value:
     """enum.make_members(cls): each member of the class becomes an instance of it; equal values are aliases."""
     cls = call.args[0]
@@ -137,7 +110,11 @@ def make_members(call: NativeCall) -> Value:
     data = _data_type(cls)
     hidden = f"_{cls.name.lstrip('_')}__"
     for name, written in tuple(machine.obj(where).attrs.items()):
-        if name in ignored or name.startswith(hidden) or not _is_member(call, cls, name, written):
+        word, written = said(call, written)  # noqa: PLW2901 - what it stands for
+        if word == "nonmember":
+            machine.store_attr(cls, name, written)
+            continue
+        if name in ignored or name.startswith(hidden) or not (word or is_member(call, cls, name, written)):
             continue
         value = _resolve(call, cls, name, written, values, given)
         values.append(value)
@@ -149,7 +126,7 @@ def make_members(call: NativeCall) -> Value:
             member = machine.allocate(Obj("instance", cls, attrs, payload=held), ("member", name))
             if key is not None:
                 by_value[key] = member
-            init = _hook(call, cls, "__init__")
+            init = hook(call, cls, "__init__")
             if init is not None:
                 machine.call(init, (member, *(value.items if isinstance(value, Tuple) else (value,))))
         members[Const(name)] = member
@@ -172,9 +149,7 @@ def _texts(call: NativeCall, value: Value | None) -> tuple[str, ...]:
 def _held(call: NativeCall, cls: Class, data: str, value: Value) -> tuple[Value | None, Value]:
     """The str or number that a member is, if it is one, and its `_value_`: `A = True` in an IntEnum is 1."""
     machine = call.machine
-    if (
-        _hook(call, cls, "__new__") is not None
-    ):  # it makes the object, and sets `_value_`, in a way that is not followed
+    if hook(call, cls, "__new__") is not None:  # it makes the object, and sets `_value_`, in a way that is not followed
         unknown = machine.unknown(Cause.CALL, f"{cls.name}.__new__")
         return machine.unknown(Cause.CALL, f"{cls.name}.__new__", data) if data else None, unknown
     if not data:
@@ -249,9 +224,9 @@ def lookup(call: NativeCall) -> Value:
 
 def _may_miss(call: NativeCall, cls: Value, value: Value) -> tuple[Value, ...]:
     """What there is besides the members for a value that is not known: what `_missing_` makes of it, or a ValueError."""
-    hook = _hook(call, cls, "_missing_") if isinstance(cls, Class) else None
-    if hook is not None:
-        return (call.machine.call(hook, (cls, value)),)
+    missing = hook(call, cls, "_missing_") if isinstance(cls, Class) else None
+    if missing is not None:
+        return (call.machine.call(missing, (cls, value)),)
     if isinstance(cls, Class) and not is_flag(cls):
         call.machine.die("ValueError", f"not a valid {cls.qualname}")
     return ()
@@ -265,9 +240,9 @@ def _may_have(call: NativeCall, member: Value, value: Value) -> bool:
 
 def _missing(call: NativeCall, cls: Value, value: Const, *, sure: bool) -> Value:
     if isinstance(cls, Class):
-        hook = _hook(call, cls, "_missing_")
-        if hook is not None:
-            return call.machine.call(hook, (cls, value))
+        missing = hook(call, cls, "_missing_")
+        if missing is not None:
+            return call.machine.call(missing, (cls, value))
         if is_flag(cls):
             return _several_bits(call, cls, value)
         message = f"{value.value!r} is not a valid {cls.qualname}"
@@ -324,7 +299,7 @@ def _make_class(call: NativeCall) -> Value:
     else:
         listed = [(i, exact_list(machine, i)) for i in exact_list(machine, names) or ()]
         pairs = [(p[0], p[1]) if p is not None and len(p) == 2 else (i, None) for i, p in listed]
-    numbered = not derives(base, "enum.Flag", "enum.StrEnum") and _hook(call, base, "_generate_next_value_") is None
+    numbered = not derives(base, "enum.Flag", "enum.StrEnum") and hook(call, base, "_generate_next_value_") is None
     members: dict[str, Value] = {}
     for number, (key, value) in enumerate(pairs):
         text = text_of(key)

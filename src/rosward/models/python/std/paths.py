@@ -318,7 +318,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "os.fspath": _fspath,
     "pathlib._join": _join_parts,
     "pathlib._dirname": _on_text(dirname),
-    "pathlib._basename": _on_text(basename),
+    "pathlib._basename": _on_text(lambda value: EMPTY if text_of(value) == "." else basename(value)),
     "pathlib._splitext": _pair(splitext),
     "pathlib._absolute": _absolute,
     "pathlib._expanduser": _expanduser,
