@@ -49,7 +49,10 @@ def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
 
 
 def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) -> Mark:
-    """A function of which a model says only that it is there: its result is computed from what it gets, which its object may keep."""
+    """A function of which a model says only that it is there: its result is computed from what it gets, which its object may keep.
+
+    Where the model does not say what the result is, it may be a view of what the function gets.
+    """
     name = f"{function.module.name}.{function.code.qualname}"
     mask = body.pc
     nodes = walker.shape.nodes
@@ -73,7 +76,19 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
         mask = body.pc
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
-    return Mark(mask | given, hidden.led_to((name,)) | {root})
+    led = hidden.led_to((name,))
+    if function.code.returns is None and not name.startswith(_KNOWN):
+        led |= _viewed(walker, frozenset[Root]().union(*(m.roots for m in marks)))
+        if len(led) > _FEW:
+            walker.memory.merge(opaque(Mark(0, led)))
+            led = walker.shape.numbers.canonical(led)
+    return Mark(mask | given, led | {root})
+
+
+def _viewed(walker: Walker, roots: frozenset[Root]) -> frozenset[Root]:
+    """Of these objects, a view: what is written to an element of it, stands in them."""
+    roots -= walker.shape.nodes
+    return roots | {("of", root, "") for root in roots if isinstance(root, int)}
 
 
 def _given_as(parameter: str, function: Function, marks: list[Mark]) -> Mark:
@@ -136,6 +151,7 @@ def unknown(
     walker.memory.write_any(reached, Mark(mask | given, led), mask)
     behind = led.union(*(m.roots for m in everything))
     kept = frozenset(r for r in behind if isinstance(r, int)) - walker.shape.nodes
+    behind |= _viewed(walker, kept)
     if kept:  # an object of a library may keep what it is given
         walker.memory.write_any(owners_of(function), Mark(0, kept))
     if len(reached) > walker.shape.few:  # it may have written each into each
