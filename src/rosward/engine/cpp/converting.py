@@ -29,7 +29,15 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 __all__ = [
-    *("as_value", "as_wanted", "buffer", "by_operator", "by_operators", "cast", "decayed", "decaying", "derives"),
+    "as_value",
+    "as_wanted",
+    "buffer",
+    "by_operator",
+    "by_operators",
+    "cast",
+    "decayed",
+    "decaying",
+    "derives",
     "enumerator",
 ]
 
