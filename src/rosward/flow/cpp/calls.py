@@ -167,7 +167,7 @@ def _effects(walker: Walker, function: Function, given: list[Mark], pc: int) -> 
         mask |= walker.memory.deep(value(walker, mark))
     brought = library.perform(walker, name, mask, pc)
     for parameter, mark in zip(function.code.parameters.names, given, strict=False):
-        if parameter in said.changes or "*" in said.changes:
+        if ("self" if parameter == "this" else parameter) in said.changes or "*" in said.changes:
             walker.memory.write_any(mark.roots, Mark(mask | brought), mask)
     return brought
 

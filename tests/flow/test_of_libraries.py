@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Promise: what a library sends, asks and gets over the entities that it makes is an output or a source of the node, as if the program did it."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+
+import pytest
+from sampling import sample
+
+from .reported import reported, said_of
+
+HEAD = """
+import rclpy
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Path
+from rclpy.node import Node
+from std_msgs.msg import Float64, String
+
+
+"""
+PARAMETERS = """
+from rclpy.parameter import Parameter
+from rclpy.parameter_client import AsyncParameterClient
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.client = AsyncParameterClient(self, 'other')
+        self.out = self.create_publisher(Float64, '/out', 10)
+        self.create_subscription(Float64, '/in', self.on_in, 10)
+
+    def on_in(self, msg):
+        self.client.set_parameters([Parameter('speed', Parameter.Type.DOUBLE, msg.data)])
+        self.client.get_parameters(['limit'], callback=self.got)
+
+    def got(self, future):
+        self.out.publish(Float64(data=future.result().values[0].double_value))
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+EVENTS = """
+from rclpy.parameter_event_handler import ParameterEventHandler
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.handler = ParameterEventHandler(self)
+        self.handler.add_parameter_callback('speed', 'other', self.changed)
+        self.handler.add_parameter_event_callback(self.happened)
+        self.out = self.create_publisher(Float64, '/out', 10)
+        self.who = self.create_publisher(String, '/who', 10)
+
+    def changed(self, parameter):
+        self.out.publish(Float64(data=parameter.value.double_value))
+
+    def happened(self, event):
+        self.who.publish(String(data=event.node))
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+WAITED = """
+from rclpy.wait_for_message import wait_for_message
+
+rclpy.init()
+node = Node('robot')
+out = node.create_publisher(Float64, '/out', 10)
+found, message = wait_for_message(Float64, node, '/once', time_to_wait=1.0)
+if found:
+    out.publish(message)
+"""
+NAVIGATES = """
+from nav2_simple_commander.robot_navigator import BasicNavigator, TaskResult
+
+class Tour(BasicNavigator):
+    def __init__(self):
+        super().__init__('tour')
+        self.out = self.create_publisher(String, '/out', 10)
+        self.done = self.create_publisher(String, '/done', 10)
+        self.way = self.create_publisher(Path, '/way', 10)
+        self.create_subscription(PoseStamped, '/pose', self.on_pose, 10)
+        self.create_subscription(PoseStamped, '/start', self.setInitialPose, 10)
+        self.create_subscription(String, '/map', lambda msg: self.changeMap(msg.data), 10)
+
+    def on_pose(self, msg):
+        self.way.publish(self.getPath(PoseStamped(), msg))
+        self.goToPose(msg)
+        while not self.isTaskComplete():
+            self.out.publish(String(data=str(self.getFeedback().distance_remaining)))
+        if self.getResult() == TaskResult.SUCCEEDED:
+            self.done.publish(String(data='done'))
+
+rclpy.init()
+rclpy.spin(Tour())
+"""
+DIAGNOSES = """
+import diagnostic_updater
+from diagnostic_msgs.msg import DiagnosticStatus
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.value = 0.0
+        self.updater = diagnostic_updater.Updater(self)
+        self.updater.setHardwareID('arm')
+        self.updater.add('value', self.diagnose)
+        self.create_subscription(Float64, '/in', self.on_in, 10)
+
+    def on_in(self, msg):
+        self.value = msg.data
+
+    def diagnose(self, status):
+        status.summary(DiagnosticStatus.OK, 'fine')
+        status.add('value', str(self.value))
+        return status
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize(
+    ("program", "sink", "strength", "source"),
+    sample(
+        [
+            (PARAMETERS, "request:/other/set_parameters", "data", "topic:/in"),
+            (PARAMETERS, "topic:/out", "data", "response:/other/get_parameters"),
+            (EVENTS, "topic:/out", "data", "topic:/parameter_events"),
+            (EVENTS, "topic:/who", "data", "topic:/parameter_events"),
+            (WAITED, "topic:/out", "data", "topic:/once"),
+            (NAVIGATES, "goal:/navigate_to_pose", "data", "topic:/pose"),
+            (NAVIGATES, "goal:/compute_path_to_pose", "data", "topic:/pose"),
+            (NAVIGATES, "topic:/way", "data", "result:/compute_path_to_pose"),
+            (NAVIGATES, "topic:/out", "data", "feedback:/navigate_to_pose"),
+            (NAVIGATES, "topic:/done", "control", "result:/navigate_to_pose"),
+            (NAVIGATES, "topic:/initialpose", "data", "topic:/start"),
+            (NAVIGATES, "request:/map_server/load_map", "data", "topic:/map"),
+            (DIAGNOSES, "topic:/diagnostics", "data", "topic:/in"),
+        ],
+        3,
+    ),
+)
+def test_what_a_library_does_is_said(program: str, sink: str, strength: str, source: str, tmp_path: Path) -> None:
+    file = tmp_path / "robot.py"
+    file.write_text(HEAD + textwrap.dedent(program))
+    said = said_of(reported(file), sink)
+    assert said is not None
+    assert source in getattr(said, strength), said
