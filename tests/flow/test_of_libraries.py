@@ -149,3 +149,132 @@ def test_what_a_library_does_is_said(program: str, sink: str, strength: str, sou
     said = said_of(reported(file), sink)
     assert said is not None
     assert source in getattr(said, strength), said
+
+
+SERVES = """
+import threading
+from http.server import BaseHTTPRequestHandler, HTTPServer
+
+robot = None
+
+class Page(BaseHTTPRequestHandler):
+    def do_POST(self):
+        robot.out.publish(Float64(data=float(self.rfile.read(int(self.headers['Content-Length'])))))
+        robot.asked.publish(String(data=self.path))
+
+    def do_GET(self):
+        self.wfile.write(str(robot.value).encode())
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.value = 0.0
+        self.out = self.create_publisher(Float64, '/out', 10)
+        self.asked = self.create_publisher(String, '/asked', 10)
+        self.create_subscription(Float64, '/in', self.on_in, 10)
+
+    def on_in(self, msg):
+        self.value = msg.data
+
+rclpy.init()
+robot = Robot()
+threading.Thread(target=HTTPServer(('', 8000), Page).serve_forever).start()
+rclpy.spin(robot)
+"""
+STREAMS = """
+import socketserver
+import threading
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.value = 0.0
+        self.out = self.create_publisher(String, '/out', 10)
+        self.line = self.create_publisher(String, '/line', 10)
+        self.create_subscription(Float64, '/in', self.on_in, 10)
+        robot = self
+
+        class Stream(socketserver.StreamRequestHandler):
+            def handle(self):
+                for line in self.rfile:
+                    robot.line.publish(String(data=line.decode()))
+                robot.out.publish(String(data=self.request.recv(10).decode()))
+                self.request.sendall(str(robot.value).encode())
+
+        threading.Thread(target=socketserver.TCPServer(('', 8000), Stream).serve_forever).start()
+
+    def on_in(self, msg):
+        self.value = msg.data
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+LISTENS = """
+import paho.mqtt.client as mqtt
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.out = self.create_publisher(String, '/out', 10)
+        self.more = self.create_publisher(String, '/more', 10)
+        self.client = mqtt.Client()
+        self.client.on_message = self.arrived
+        self.client.message_callback_add('more', self.more_arrived)
+        self.client.loop_start()
+
+    def arrived(self, client, userdata, message):
+        self.out.publish(String(data=message.payload.decode()))
+
+    def more_arrived(self, client, userdata, message):
+        self.more.publish(String(data=message.payload.decode()))
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize(
+    ("program", "sink", "source"),
+    sample(
+        [
+            (SERVES, "topic:/out", "network"),
+            (SERVES, "topic:/asked", "network"),
+            (SERVES, "network", "topic:/in"),
+            (STREAMS, "topic:/line", "network"),
+            (STREAMS, "topic:/out", "network"),
+            (STREAMS, "network", "topic:/in"),
+            (LISTENS, "topic:/out", "network"),
+            (LISTENS, "topic:/more", "network"),
+        ],
+        3,
+    ),
+)
+def test_what_a_base_class_or_a_callback_brings_is_said(program: str, sink: str, source: str, tmp_path: Path) -> None:
+    file = tmp_path / "robot.py"
+    file.write_text(HEAD + textwrap.dedent(program))
+    said = said_of(reported(file), sink)
+    assert said is not None
+    assert source in said.data, said
+
+
+def test_yaml_that_is_a_text_is_in_no_file(tmp_path: Path) -> None:
+    file = tmp_path / "robot.py"
+    file.write_text(
+        HEAD
+        + textwrap.dedent("""
+        import yaml
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.create_subscription(Float64, '/in', self.on_in, 10)
+
+            def on_in(self, msg):
+                self.get_logger().info(yaml.dump({'value': msg.data}))
+
+        rclpy.init()
+        rclpy.spin(Robot())
+        """)
+    )
+    rows = reported(file)
+    assert {row.sink for row in rows} == {"log"}

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
 from rosward.flow import arrays, hidden
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of, of_library
 from rosward.flow.outside import cleaned, comes_in, out
 from rosward.flow.reading import each_of, of_classes, opaque, owners_of
 
@@ -112,6 +112,27 @@ def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
         walker.memory.merge(opaque(Mark(0, roots)))
         roots = walker.shape.numbers.canonical(roots)
     return Mark(mask, roots | {root})
+
+
+def of_base(walker: Walker, address: int, name: str) -> Mark:
+    """What an object has of a base class that nobody knows, where marks say something of it: `self.rfile` of a handler of requests."""
+    found, roots = 0, set[Root]()
+    for base in walker.shape.unknown_bases(address):
+        said = walker.shape.said(f"{base}.{name}")
+        if said.is_known:
+            roots.add(of_library(f"{base}.{name}"))
+        for kind in said.sources:
+            found |= comes_in(walker, kind)
+    return Mark(found, frozenset(roots))
+
+
+def calls_with(walker: Walker, owner: Mark, name: str) -> int:
+    """What an object of a library calls the function with that it is given under this name, as marks say: `client.on_message = f`."""
+    found = 0
+    for dotted in {d for root in owner.roots if (d := name_of(root))}:
+        for kind in walker.shape.said(f"{dotted}.{name}").sources:
+            found |= comes_in(walker, kind)
+    return found
 
 
 def stop(walker: Walker, root: Root, mask: int) -> None:

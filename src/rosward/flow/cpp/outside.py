@@ -190,6 +190,7 @@ _KINDS: Final = {
     "Subscription": "topic",
     "ParameterEventHandler": "topic",
     "OdomSmoother": "topic",
+    "InteractiveMarkerServer": "topic",
     "CameraSubscriber": "topic",
 }
 
