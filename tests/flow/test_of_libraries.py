@@ -278,3 +278,31 @@ def test_yaml_that_is_a_text_is_in_no_file(tmp_path: Path) -> None:
     )
     rows = reported(file)
     assert {row.sink for row in rows} == {"log"}
+
+
+def test_a_callback_of_a_pin_runs_where_the_device_says_so(tmp_path: Path) -> None:
+    file = tmp_path / "robot.py"
+    file.write_text(
+        HEAD
+        + textwrap.dedent("""
+        from gpiozero import Button
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.pressed = 0.0
+                self.out = self.create_publisher(Float64, '/out', 10)
+                self.create_timer(1.0, lambda: self.out.publish(Float64(data=self.pressed)))
+                self.button = Button(4)
+                self.button.when_pressed = self.press
+
+            def press(self):
+                self.pressed = 1.0
+
+        rclpy.init()
+        rclpy.spin(Robot())
+        """)
+    )
+    said = said_of(reported(file), "topic:/out")
+    assert said is not None
+    assert "device" in said.trigger

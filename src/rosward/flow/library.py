@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
 from rosward.flow import arrays, hidden
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of, of_library
+from rosward.flow.marks import NOTHING, Mark, Root, decided, demoted, name_of, of_library
 from rosward.flow.outside import cleaned, comes_in, out
 from rosward.flow.reading import each_of, of_classes, opaque, owners_of
 
@@ -126,13 +126,14 @@ def of_base(walker: Walker, address: int, name: str) -> Mark:
     return Mark(found, frozenset(roots))
 
 
-def calls_with(walker: Walker, owner: Mark, name: str) -> int:
-    """What an object of a library calls the function with that it is given under this name, as marks say: `client.on_message = f`."""
+def put_there(walker: Walker, owner: Mark, name: str, function: Mark, pc: int) -> tuple[tuple[Mark], int]:
+    """A function that is put into an object of a library, and what decides that it runs: `client.on_message = f` is called with what comes
+    in, and where something does, as marks say."""
     found = 0
     for dotted in {d for root in owner.roots if (d := name_of(root))}:
         for kind in walker.shape.said(f"{dotted}.{name}").sources:
             found |= comes_in(walker, kind)
-    return found
+    return (function.under(found),), pc | decided(found)
 
 
 def stop(walker: Walker, root: Root, mask: int) -> None:

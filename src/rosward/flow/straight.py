@@ -208,7 +208,7 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
     owner, value = body.registers[op.obj], body.registers[op.src]
     run_callees(walker, op, body, seen)
     if seen.scheduled:
-        schedule(walker, seen, (value.under(library.calls_with(walker, owner, op.name)),), body.pc)
+        schedule(walker, seen, *library.put_there(walker, owner, op.name, value, body.pc))
         walker.may_call(owner.roots)
         for _, entry in seen.scheduled:
             hidden.put_into(walker, owner, entry)
