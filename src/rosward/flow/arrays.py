@@ -23,7 +23,7 @@ _VIEWS: Final = frozenset(
         *("frombuffer", "atleast_1d", "atleast_2d", "atleast_3d", "broadcast_to", "broadcast_arrays", "expand_dims"),
         *("split", "array_split", "hsplit", "vsplit", "dsplit", "diagonal", "flip", "fliplr", "flipud", "rot90"),
         *("moveaxis", "rollaxis", "real", "imag", "array", "matrix", "asmatrix", "require", "sliding_window_view"),
-        *("astype", "newbyteorder", "getfield", "nditer", "ndenumerate", "vectorize", "apply_along_axis"),
+        *("ndarray", "astype", "newbyteorder", "getfield", "nditer", "ndenumerate", "vectorize", "apply_along_axis"),
     )
 )
 _CHANGE: Final = frozenset(("fill", "sort", "put", "partition", "resize", "itemset", "setfield", "byteswap", "seed"))

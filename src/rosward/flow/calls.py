@@ -79,7 +79,7 @@ def run_callees(
         if told != NOTHING:
             marks = [[*m[:1], *(each.joined(told) for each in m[1:])] for m in marks]
         whole = marks[0] if len(marks) == 1 else joined_marks(marks)
-        if code.is_generator or code.is_coroutine:
+        if (code.is_generator or code.is_coroutine) and not code.is_stub:
             keep_arguments(walker, key, whole)
             made = Mark(inside, frozenset((("generator", key),)))
             result = made if result is None else result.joined(made)
@@ -205,7 +205,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     function = body.registers[op.func]
     registers = [a.register for a in op.arguments]
     marks = [body.registers[r] for r in registers]
-    pc = demoted(function.mask) if seen.several else 0
+    pc = demoted(function.mask if seen.several else function.mask & walker.sources.assumed)
     _send(walker, op, body, seen, marks, body.pc | pc)
     site = walker.sites.of(op, seen)
     if site.creates:
@@ -248,7 +248,8 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     if waits or not walker.calling.isdisjoint(owners):
         walker.meet_callbacks()
     if seen.scheduled:
-        schedule(walker, seen, marks, body.pc | pc, _hands(walker, function, seen))
+        given_on = [*marks, Mark(result.mask)] if site.unknown else marks  # of what comes in here, callbacks are told
+        schedule(walker, seen, given_on, body.pc | pc | _chosen(seen, marks), _hands(walker, function, seen))
     if site.spins or site.pauses:
         walker.join_beside()
 
@@ -318,6 +319,15 @@ def schedule(walker: Walker, seen: Seen, marks: Iterable[Mark], pc: int, hands: 
             given |= walker.memory.deep(mark) if entry.event not in _ARRIVING else 0
             callback = callback.joined(Mark(mark.mask, bound_in(mark)))
         walker.register(entry, pc, given, callback)
+
+
+def _chosen(seen: Seen, marks: Iterable[Mark]) -> int:
+    """What decides which of several functions is registered here."""
+    mask = 0
+    if len({entry.callback for _, entry in seen.scheduled}) > 1:
+        for mark in marks:
+            mask |= mark.mask
+    return demoted(mask)
 
 
 def _hands(walker: Walker, function: Mark, seen: Seen) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
 from rosward.flow import arrays, hidden
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, name_of
+from rosward.flow.marks import NOTHING, Mark, Root, decided, demoted, name_of, of_library
 from rosward.flow.outside import cleaned, comes_in, out
 from rosward.flow.reading import each_of, of_classes, opaque, owners_of
 
@@ -49,7 +49,10 @@ def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
 
 
 def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) -> Mark:
-    """A function of which a model says only that it is there: its result is computed from what it gets, which its object may keep."""
+    """A function of which a model says only that it is there: its result is computed from what it gets, which its object may keep.
+
+    Where the model does not say what the result is, it may be a view of what the function gets.
+    """
     name = f"{function.module.name}.{function.code.qualname}"
     mask = body.pc
     nodes = walker.shape.nodes
@@ -73,7 +76,19 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
         mask = body.pc
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
-    return Mark(mask | given, hidden.led_to((name,)) | {root})
+    led = hidden.led_to((name,))
+    if function.code.returns is None and not name.startswith(_KNOWN):
+        led |= _viewed(walker, frozenset[Root]().union(*(m.roots for m in marks)))
+        if len(led) > _FEW:
+            walker.memory.merge(opaque(Mark(0, led)))
+            led = walker.shape.numbers.canonical(led)
+    return Mark(mask | given, led | {root})
+
+
+def _viewed(walker: Walker, roots: frozenset[Root]) -> frozenset[Root]:
+    """Of these objects, a view: what is written to an element of it, stands in them."""
+    roots -= walker.shape.nodes
+    return roots | {("of", root, "") for root in roots if isinstance(root, int)}
 
 
 def _given_as(parameter: str, function: Function, marks: list[Mark]) -> Mark:
@@ -97,6 +112,28 @@ def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
         walker.memory.merge(opaque(Mark(0, roots)))
         roots = walker.shape.numbers.canonical(roots)
     return Mark(mask, roots | {root})
+
+
+def of_base(walker: Walker, address: int, name: str) -> Mark:
+    """What an object has of a base class that nobody knows, where marks say something of it: `self.rfile` of a handler of requests."""
+    found, roots = 0, set[Root]()
+    for base in walker.shape.unknown_bases(address):
+        said = walker.shape.said(f"{base}.{name}")
+        if said.is_known:
+            roots.add(of_library(f"{base}.{name}"))
+        for kind in said.sources:
+            found |= comes_in(walker, kind)
+    return Mark(found, frozenset(roots))
+
+
+def put_there(walker: Walker, owner: Mark, name: str, function: Mark, pc: int) -> tuple[tuple[Mark], int]:
+    """A function that is put into an object of a library, and what decides that it runs: `client.on_message = f` is called with what comes
+    in, and where something does, as marks say."""
+    found = 0
+    for dotted in {d for root in owner.roots if (d := name_of(root))}:
+        for kind in walker.shape.said(f"{dotted}.{name}").sources:
+            found |= comes_in(walker, kind)
+    return (function.under(found),), pc | decided(found)
 
 
 def stop(walker: Walker, root: Root, mask: int) -> None:
@@ -136,6 +173,7 @@ def unknown(
     walker.memory.write_any(reached, Mark(mask | given, led), mask)
     behind = led.union(*(m.roots for m in everything))
     kept = frozenset(r for r in behind if isinstance(r, int)) - walker.shape.nodes
+    behind |= _viewed(walker, kept)
     if kept:  # an object of a library may keep what it is given
         walker.memory.write_any(owners_of(function), Mark(0, kept))
     if len(reached) > walker.shape.few:  # it may have written each into each

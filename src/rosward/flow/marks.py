@@ -22,6 +22,7 @@ _CONTROL: Final = _DATA << 1
 _TRIGGER: Final = _DATA << 2
 _WEAKER: Final = _CONTROL | _TRIGGER
 
+_ASSUMED: Final = frozenset(("parameter", "argv", "env"))
 _EVENTS: Final = frozenset(("main", "timer", "thread", "parameters"))
 
 Root = int | tuple[object, ...]
@@ -136,6 +137,7 @@ class Sources:
 
     def __init__(self) -> None:
         self._numbers: dict[Source, int] = {}
+        self._assumed = (0, 0)
 
     def data(self, source: Source) -> int:
         """The mask of its content."""
@@ -149,6 +151,17 @@ class Sources:
     def number(self, source: Source) -> int:
         """Which of them it is."""
         return min(self._numbers[source], _SOURCES - 1)
+
+    @property
+    def assumed(self) -> int:
+        """Those of which the interpretation takes one content for all, where it has to choose: what is chosen by one looks certain."""
+        known, mask = self._assumed
+        if known != len(self._numbers):
+            for source, number in self._numbers.items():
+                if source.kind in _ASSUMED:
+                    mask |= 7 << 3 * min(number, _SOURCES - 1)
+            self._assumed = (len(self._numbers), mask)
+        return mask
 
     @property
     def all(self) -> int:

@@ -164,14 +164,14 @@ def arising(walker: Walker, seen: Seen, *, read: bool = False) -> int:
 def _outside(reason: Reason) -> str | None:
     """What comes in at run time, by what the reason says of it."""
     if reason.cause is Cause.RANDOM:
-        return "clock" if reason.subject.startswith(("time.", "datetime.")) else "random"
+        return "clock" if reason.subject.startswith(("time.", "datetime.", "std.chrono.")) else "random"
     if reason.cause is Cause.INPUT:
         return "process" if reason.subject.startswith(("output", "exit", "subprocess")) else "stdin"
     return None
 
 
-_OF_NO_VALUE: Final = frozenset({"set when it runs", "name, set when it runs"})
-"""Which parameters are set is no content of one."""
+_OF_NO_VALUE: Final = frozenset({"set when it runs", "name, set when it runs", "time"})
+"""Which parameters are set is no content of one; what a time holds, the object says."""
 
 
 def _parameter(subject: str) -> str:

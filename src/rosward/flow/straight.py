@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
-from rosward.flow import hidden, implicit, suspending
+from rosward.flow import hidden, implicit, library, suspending
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees, schedule
 from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
@@ -164,7 +164,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
             if shape.part(root, name) in seen.refs:
                 found = content.any  # which part of a message it is, the message does not say
             if isinstance(root, int) and _of_base(seen):
-                found = Mark(found.mask, found.roots | {("of", root, name)})
+                found = Mark(found.mask, found.roots | {("of", root, name)}).joined(library.of_base(walker, root, name))
         if seen.reasons and isinstance(root, int) and not seen.refs and not any(map(name_of, found.roots)):
             found = found.joined(_of_model(walker, op, body, root))
         mask |= found.mask
@@ -208,7 +208,7 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
     owner, value = body.registers[op.obj], body.registers[op.src]
     run_callees(walker, op, body, seen)
     if seen.scheduled:
-        schedule(walker, seen, (value,), body.pc)
+        schedule(walker, seen, *library.put_there(walker, owner, op.name, value, body.pc))
         walker.may_call(owner.roots)
         for _, entry in seen.scheduled:
             hidden.put_into(walker, owner, entry)

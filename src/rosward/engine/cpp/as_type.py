@@ -154,9 +154,10 @@ def _converted(machine: Engine, value: Value, type_: Class) -> Value:
     """An object that is made of a value implicitly; the value itself where no constructor takes it."""
     if isinstance(value, Tuple):
         return make(machine, type_, (value,), "brace-copy")
+    made = by_operator(machine, value, type_)
     info = linked(machine).info(type_)
-    if info is None or isinstance(value, Slot):
-        return value
+    if made != value or info is None or isinstance(value, Slot):
+        return made
     fitting = any(
         least(s) <= 1 <= len(s.parameters) or any(p.pack for p in s.parameters) for s in constructors(machine, info)
     )

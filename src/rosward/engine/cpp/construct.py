@@ -30,7 +30,7 @@ from rosward.engine.cpp.constructors import (
     takes,
     takes_list,
 )
-from rosward.engine.cpp.converting import as_wanted, by_operator, decayed, derives, enumerator
+from rosward.engine.cpp.converting import as_wanted, by_operator, by_operators, decayed, derives, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.natives import run_native
@@ -169,6 +169,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         and not _is_one_of(machine, args, cls)
     ):
         args = (Tuple(args),)
+    args = by_operators(machine, args, cls)
     of_functions = visitors.visitor(machine, info, args)
     if of_functions is not None:
         return of_functions

@@ -28,7 +28,18 @@ from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["as_value", "as_wanted", "buffer", "by_operator", "cast", "decayed", "decaying", "derives", "enumerator"]
+__all__ = [
+    "as_value",
+    "as_wanted",
+    "buffer",
+    "by_operator",
+    "by_operators",
+    "cast",
+    "decayed",
+    "decaying",
+    "derives",
+    "enumerator",
+]
 
 
 def enumerator(machine: Engine, enumeration: str, args: Sequence[Value], form: Form) -> Value:
@@ -68,6 +79,11 @@ def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
                 found = value_of(machine, names.Found(tuple(functions), own.env, own), None)
                 return machine.call(found.of(value), ()) if isinstance(found, Overloads) else value
     return value
+
+
+def by_operators(machine: Engine, args: tuple[Value, ...], type_: Value) -> tuple[Value, ...]:
+    """What is given to make an object; of one that converts itself to the type, what it gives."""
+    return (as_wanted(machine, args[0], type_),) if len(args) == 1 else args
 
 
 def cast(machine: Engine, value: Value, target: Value, kind: str) -> Value:

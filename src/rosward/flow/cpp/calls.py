@@ -163,11 +163,11 @@ def _effects(walker: Walker, function: Function, given: list[Mark], pc: int) -> 
     if not (said.sinks or said.sources or said.changes):
         return 0
     mask = pc
-    for mark in given[1:]:
-        mask |= walker.memory.deep(mark)
+    for mark in given[function.code.parameters.names[:1] == ("this",) :]:
+        mask |= walker.memory.deep(value(walker, mark))
     brought = library.perform(walker, name, mask, pc)
     for parameter, mark in zip(function.code.parameters.names, given, strict=False):
-        if parameter in said.changes or "*" in said.changes:
+        if ("self" if parameter == "this" else parameter) in said.changes or "*" in said.changes:
             walker.memory.write_any(mark.roots, Mark(mask | brought), mask)
     return brought
 

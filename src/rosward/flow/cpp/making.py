@@ -81,14 +81,18 @@ def _construct(walker: Walker, op: cpp.Construct, body: Body, seen: Seen) -> Non
 
 
 def _aggregate(walker: Walker, op: cpp.Construct, seen: Seen, places: list[int], marks: list[Mark]) -> set[object]:
-    """`Point{x, y}` of a class without a constructor: the fields in their order. The names of those that are written."""
+    """`Point{x, y}` of a class without a constructor: the fields in their order. The names of those that are written.
+
+    What a message is made of by one value, is in any of its fields.
+    """
     written: set[object] = set()
     built = _built(seen)
     for place in places if marks else ():
         parts = parts_of(walker, place)
-        if place in built or not (seen.made.get(place) == "object" or walker.shape.kind(place) == "list"):
+        is_message = seen.made.get(place) == "message"
+        if place in built or not (is_message or seen.made.get(place) == "object" or walker.shape.kind(place) == "list"):
             continue
-        given = _braced(walker, op, marks, parts)
+        given = None if is_message else _braced(walker, op, marks, parts)
         if given is None:
             mask, roots = 0, frozenset[Root]()
             for mark in marks:

@@ -70,7 +70,8 @@ def natives(
             for root in near.roots:
                 library.stop(walker, root, body.pc | demoted(near.mask))
         brought |= _of_library(walker) if name == "rosward.unknown" else 0
-        brought |= _arrives(walker, body, seen, name)
+        if name in _ARRIVING or (name == "rosward.unknown" and constants[:1] == ("message",)):
+            brought |= _arrives(walker, body, seen, name)
         if name.startswith("rosward."):
             brought |= _parameter(walker, body, seen, name, marks, constants)
     content = near if names and all(n in STORES for n in last) else whole
@@ -164,8 +165,6 @@ _ARRIVING: Final = frozenset({"rosward.arrived", "rosward.message", "rosward.fil
 
 def _arrives(walker: Walker, body: Body, seen: Seen, name: str) -> int:
     """Something that somebody sent arrives here."""
-    if name not in _ARRIVING:
-        return 0
     mask = body.pc
     for inner in reversed(walker.bodies):
         code = inner.activation.code
@@ -186,7 +185,13 @@ _KINDS: Final = {
     "WrappedResult": "result",
     "rclcpp_action::Client": "feedback",
     "rclcpp::Client": "response",
+    "GenericClient": "response",
+    "AskedService": "response",
     "Subscription": "topic",
+    "ParameterEventHandler": "topic",
+    "OdomSmoother": "topic",
+    "InteractiveMarkerServer": "topic",
+    "CameraSubscriber": "topic",
 }
 
 

@@ -228,6 +228,12 @@ class Shape:
         cls = None if obj is None else obj.cls
         return f"{cls.module}.{cls.qualname}" if isinstance(cls, Class) and cls.stub else ""
 
+    def unknown_bases(self, address: int) -> list[str]:
+        """The dotted names of the base classes of an object that nobody knows."""
+        obj = self.record(address)
+        cls = None if obj is None else obj.cls
+        return [c.name for c in cls.mro if isinstance(c, External)] if isinstance(cls, Class) else []
+
     def libraries(self, address: int) -> set[str]:
         """The modules of libraries in which an object has base classes."""
         obj = self.record(address)

@@ -16,12 +16,24 @@ NaN = nan
 newaxis = None
 
 def _wrap(value):
-    return ndarray(value) if isinstance(value, (list, tuple)) else value
+    return _made(value) if isinstance(value, (list, tuple)) else value
+
+def _made(items):
+    array = object.__new__(ndarray)
+    array._items = items
+    return array
+
+@pure
+def _over(shape, dtype, buffer): ...
 
 class ndarray:
-    """Made by numpy's functions; written to, it is not known."""
-    def __init__(self, items):
-        self._items = items
+    """Made by numpy's functions; written to, it is not known. Made by itself, it has a shape, and what stood in its buffer."""
+    def __new__(cls, shape, dtype=float, buffer=None, offset=0, strides=None, order=None):
+        if cls is ndarray:
+            return _over(shape, dtype, buffer)
+        array = object.__new__(cls)
+        array._items = unknown('call', 'numpy.ndarray', 'list')
+        return array
     def __iter__(self):
         return iter([_wrap(value) for value in self._items])
     def __len__(self):
@@ -44,7 +56,7 @@ class ndarray:
     def tolist(self):
         return self._items
     def copy(self, order='C'):
-        return ndarray(self._items)
+        return _made(self._items)
     def __array__(self):
         return self
     def __add__(self, other): return _unknown()
@@ -88,7 +100,7 @@ def _unknown():
 
 def array(object, dtype=None, **kwargs):
     if isinstance(object, (list, tuple)):
-        return ndarray(_elements(object, dtype))
+        return _made(_elements(object, dtype))
     return object if isinstance(object, ndarray) else _unknown()
 def asarray(a, dtype=None, **kwargs):
     return array(a, dtype)

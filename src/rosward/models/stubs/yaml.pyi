@@ -30,29 +30,26 @@ class Dumper(_Dumper): ...
 @native
 def _dumped(data, **options): ...
 
-def _written(stream, text=None):
+@sink("file")
+def _written(stream, data, text=None):
     if isinstance(stream, WrittenFile) and text is not None:
         stream.write(text)
         return
     ask(stream, 'write', unknown('call', 'text that a library writes', 'str'))
-@sink("file")
 def dump(data, stream=None, *args, **kwds):
     if stream is None:
         return _dumped(data, **kwds, **({'Dumper': args[0]} if args else {}))
-    _written(stream, _dumped(data, **kwds, **({'Dumper': args[0]} if args else {})) if isinstance(stream, WrittenFile) else None)
-@sink("file")
+    _written(stream, data, _dumped(data, **kwds, **({'Dumper': args[0]} if args else {})) if isinstance(stream, WrittenFile) else None)
 def safe_dump(data, stream=None, *args, **kwds):
     return dump(data, stream, *args, **kwds)
-@sink("file")
 def dump_all(documents, stream=None, *args, **kwds):
     if stream is None:
         return unknown('call', 'text of documents', 'str')
-    _written(stream)
-@sink("file")
+    _written(stream, documents)
 def safe_dump_all(documents, stream=None, *args, **kwds):
     if stream is None:
         return unknown('call', 'text of documents', 'str')
-    _written(stream)
+    _written(stream, documents)
 
 def add_constructor(tag, constructor, Loader=None) -> None: ...
 def add_representer(data_type, representer, Dumper=None) -> None: ...

@@ -4,10 +4,11 @@
 Read from ros-perception/vision_opencv, branch rolling (2024-02).
 """
 
-from _rosward import reads_only
+from _rosward import pure, reads_only
 
 from cv_bridge.core import CvBridge as CvBridge, CvBridgeError as CvBridgeError
 
+pure(__name__)
 reads_only(__name__)
 
 

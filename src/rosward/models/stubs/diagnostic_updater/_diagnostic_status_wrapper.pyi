@@ -4,12 +4,19 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
-from _rosward import reads_only, unknown
+from _rosward import unknown
 
 class DiagnosticStatusWrapper:
-    @reads_only
-    def __init__(self, *args, **kwds) -> None: ...
+    def __init__(self, *args, **kwds):
+        self._content = []
+        self.name = unknown("call", "name of a diagnostic status", "str")
+        self.hardware_id = unknown("call", "hardware of a diagnostic status", "str")
+        self.level = unknown("call", "level of a diagnostic status")
+        self.message = unknown("call", "message of a diagnostic status", "str")
+        self.values = unknown("call", "values of a diagnostic status", "list")
+
     def summary(self, *args):
+        self._content.extend(args)
         self.level = unknown("call", "level of a diagnostic status")
         self.message = unknown("call", "message of a diagnostic status", "str")
 
@@ -20,4 +27,5 @@ class DiagnosticStatusWrapper:
         self.summary(*args)
 
     def add(self, key, val):
+        self._content.extend((key, val))
         self.values = unknown("call", "values of a diagnostic status", "list")

@@ -4,10 +4,14 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
-from _rosward import creator, opaque, reads_only, schedule
+from _rosward import creator, pure, reads_only
 from diagnostic_msgs.msg import DiagnosticArray
 
 from diagnostic_updater._diagnostic_status_wrapper import DiagnosticStatusWrapper
+
+
+@pure
+def _array(content, hardware) -> DiagnosticArray: ...
 
 
 class DiagnosticTask:
@@ -54,7 +58,6 @@ class DiagnosticTaskVector:
     def add(self, *args):
         task = args[0].run if len(args) == 1 else args[1]
         self.tasks.append(task)
-        schedule(task, opaque(DiagnosticStatusWrapper), event="timer")
 
     def removeByName(self, name) -> bool: ...
 
@@ -75,15 +78,19 @@ class Updater(DiagnosticTaskVector):
         if not node.has_parameter(self.use_fqn_parameter):
             node.declare_parameter(self.use_fqn_parameter, False)
 
-    def update(self) -> None: ...
+    def update(self):
+        for task in self.tasks:
+            status = DiagnosticStatusWrapper()
+            self.publish((status, task(status)))
 
     def force_update(self):
-        for task in self.tasks:
-            task(opaque(DiagnosticStatusWrapper))
+        self.update()
 
-    def broadcast(self, lvl, msg) -> None: ...
+    def broadcast(self, lvl, msg):
+        self.publish((lvl, msg))
 
     def setHardwareID(self, hwid):
         self.hwid = hwid
 
-    def publish(self, msg) -> None: ...
+    def publish(self, msg):
+        self.publisher.publish(_array(msg, self.hwid))

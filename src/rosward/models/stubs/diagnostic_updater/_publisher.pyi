@@ -4,13 +4,8 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
-from _rosward import reads_only
-
 from diagnostic_updater._diagnostic_updater import CompositeDiagnosticTask
 from diagnostic_updater._update_functions import FrequencyStatus, TimeStampStatus
-
-reads_only(__name__)
-
 
 class HeaderlessTopicDiagnostic(CompositeDiagnosticTask):
     def __init__(self, name, diag, freq):
@@ -20,8 +15,11 @@ class HeaderlessTopicDiagnostic(CompositeDiagnosticTask):
         self.addTask(self.freq)
         self.diag.add(self)
 
-    def tick(self) -> None: ...
-    def clear_window(self) -> None: ...
+    def tick(self):
+        self.freq.tick()
+
+    def clear_window(self):
+        self.freq.clear()
 
 
 class TopicDiagnostic(HeaderlessTopicDiagnostic):
@@ -30,7 +28,9 @@ class TopicDiagnostic(HeaderlessTopicDiagnostic):
         self.stamp = TimeStampStatus(stamp)
         self.addTask(self.stamp)
 
-    def tick(self, stamp) -> None: ...
+    def tick(self, stamp):
+        self.stamp.tick(stamp)
+        self.freq.tick()
 
 
 class DiagnosedPublisher(TopicDiagnostic):
@@ -38,4 +38,6 @@ class DiagnosedPublisher(TopicDiagnostic):
         TopicDiagnostic.__init__(self, pub.topic_name, diag, freq, stamp)
         self.publisher = pub
 
-    def publish(self, message) -> None: ...
+    def publish(self, message):
+        self.tick(message.header.stamp)
+        self.publisher.publish(message)

@@ -4,7 +4,7 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
-from _rosward import reads_only
+import time
 
 from diagnostic_updater._diagnostic_updater import DiagnosticTask
 
@@ -16,15 +16,20 @@ class FrequencyStatusParam:
         self.window_size = window_size
 
 
-@reads_only
 class FrequencyStatus(DiagnosticTask):
     def __init__(self, params, name="FrequencyStatus"):
         DiagnosticTask.__init__(self, name)
+        self.params = params
+        self.count = 0
 
-    def clear(self) -> None: ...
-    def tick(self) -> None: ...
+    def clear(self):
+        self.count = 0
+
+    def tick(self):
+        self.count += 1
 
     def run(self, stat):
+        stat.add("Actual frequency (Hz)", (self.count, time.time(), self.params))
         return stat
 
 
@@ -37,11 +42,14 @@ class TimeStampStatusParam:
 class TimeStampStatus(DiagnosticTask):
     def __init__(self, params=TimeStampStatusParam(), name="Timestamp Status"):
         DiagnosticTask.__init__(self, name)
+        self.params = params
+        self.stamps = []
 
-    @reads_only
-    def tick(self, stamp) -> None: ...
+    def tick(self, stamp):
+        self.stamps.append(stamp)
 
     def run(self, stat):
+        stat.add("Timestamps", (self.stamps, time.time(), self.params))
         return stat
 
 

@@ -7,7 +7,7 @@ Read from ros-navigation/navigation2, branches humble (2026-06), iron (2024-10),
 from enum import Enum
 
 import rclpy
-from _rosward import creator, either, native, reads_only, unknown
+from _rosward import changes, creator, either, native, pure, reads_only, unknown
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from lifecycle_msgs.srv import GetState
 from nav2_msgs.action import (
@@ -71,6 +71,21 @@ class RunningTask(Enum):
     UNDOCK_ROBOT = 11
     COMPUTE_AND_TRACK_ROUTE = 12
     FOLLOW_OBJECT = 13
+
+
+@changes("made")
+def _fill(made, content) -> None: ...
+@pure
+def _tells(answer) -> bool: ...
+@pure
+def _code(answer) -> int: ...
+@pure
+def _words(answer) -> str: ...
+
+
+def _made(made, content):
+    _fill(made, content)
+    return made
 
 
 @creator
@@ -143,33 +158,64 @@ class BasicNavigator(Node):
     def _amclPoseCallback(self, msg):
         self.initial_pose_received = True
 
-    def _waitForNodeToActivate(self, node_name):
-        self.create_client(GetState, f"{node_name}/get_state")
+    def _feedbackCallback(self, msg):
+        self.feedback = msg.feedback
+
+    def _send(self, client, *content):
+        future = client.send_goal_async(_made(client._action_type.Goal(), content), self._feedbackCallback)
         rclpy.spin_once(self)
+        self.goal_handle = future.result()
+        self.result_future = self.goal_handle.get_result_async()
+        return _tells(self.goal_handle)
+
+    def _compute(self, client, *content):
+        future = client.send_goal_async(_made(client._action_type.Goal(), content))
+        rclpy.spin_once(self)
+        return either(future.result().get_result_async().result().result, unknown("live", "answer of Nav2"))
+
+    def _ask(self, client, *content):
+        future = client.call_async(_made(client.srv_type.Request(), content))
+        rclpy.spin_once(self)
+        return either(future.result(), unknown("live", "answer of Nav2"))
+
+    def _publish_initial_pose(self):
+        self.initial_pose_pub.publish(_made(PoseWithCovarianceStamped(), self.initial_pose))
+
+    def _waitForNodeToActivate(self, node_name):
+        self._ask(self.create_client(GetState, f"{node_name}/get_state"))
 
     def _waitForInitialPose(self):
+        self._publish_initial_pose()
         rclpy.spin_once(self)
 
     def waitUntilNav2Active(self, navigator="bt_navigator", localizer="amcl"):
         if localizer != "robot_localization" or not _since("iron"):
             self._waitForNodeToActivate(localizer)
+        if localizer == "amcl":
+            self._waitForInitialPose()
         self._waitForNodeToActivate(navigator)
 
     def lifecycleStartup(self):
         # Asks the running system for services of this type: those of the lifecycle managers, which are called so.
         manager = unknown("live", "names of the lifecycle managers", "str")
-        self.create_client(ManageLifecycleNodes, f"/{manager}/manage_nodes")
-        rclpy.spin_once(self)
+        self._ask(self.create_client(ManageLifecycleNodes, f"/{manager}/manage_nodes"))
 
     def lifecycleShutdown(self):
         self.lifecycleStartup()
 
     def isTaskComplete(self, task=RunningTask.NONE):
         rclpy.spin_once(self)
-        return unknown("live", "state of the task")
+        return _tells(self.result_future)
 
-    def getResult(self):
-        return either(TaskResult.UNKNOWN, TaskResult.SUCCEEDED, TaskResult.CANCELED, TaskResult.FAILED)
+    def getResult(self, task=RunningTask.NONE):
+        code = _code(self.result_future)
+        if code == 4:
+            return TaskResult.SUCCEEDED
+        if code == 5:
+            return TaskResult.CANCELED
+        if code == 6:
+            return TaskResult.FAILED
+        return TaskResult.UNKNOWN
 
     # What follows asks Nav2 over the clients above: no further entity. Messages may arrive meanwhile.
 
@@ -179,160 +225,136 @@ class BasicNavigator(Node):
     @reads_only
     def destroy_node(self) -> None: ...
 
-    @reads_only
-    def setInitialPose(self, initial_pose) -> None: ...
+    def setInitialPose(self, initial_pose):
+        self.initial_pose = initial_pose
+        self._publish_initial_pose()
 
     def goThroughPoses(self, poses, behavior_tree=""):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.nav_through_poses_client, poses, behavior_tree)
 
     def goToPose(self, pose, behavior_tree=""):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.nav_to_pose_client, pose, behavior_tree)
 
     def followWaypoints(self, poses, number_of_loops=0, goal_index=0):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.follow_waypoints_client, poses, number_of_loops, goal_index)
 
     def followGpsWaypoints(self, gps_poses):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.follow_gps_waypoints_client, gps_poses)
 
     def spin(self, spin_dist=1.57, time_allowance=10, disable_collision_checks=False):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.spin_client, spin_dist, time_allowance, disable_collision_checks)
 
     def backup(self, backup_dist=0.15, backup_speed=0.025, time_allowance=10, disable_collision_checks=False):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.backup_client, backup_dist, backup_speed, time_allowance, disable_collision_checks)
 
     def driveOnHeading(self, dist=0.15, speed=0.025, time_allowance=10, disable_collision_checks=False):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.drive_on_heading_client, dist, speed, time_allowance, disable_collision_checks)
 
     def assistedTeleop(self, time_allowance=30):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.assisted_teleop_client, time_allowance)
 
     def followPath(self, path, controller_id="", goal_checker_id="", progress_checker_id="", path_handler_id=""):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(
+            self.follow_path_client, path, controller_id, goal_checker_id, progress_checker_id, path_handler_id
+        )
 
     def dockRobotByPose(self, dock_pose, dock_type="", nav_to_dock=True):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.docking_client, dock_pose, dock_type, nav_to_dock)
 
     def dockRobotByID(self, dock_id, nav_to_dock=True):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.docking_client, dock_id, nav_to_dock)
 
     def undockRobot(self, dock_type=""):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.undocking_client, dock_type)
 
     def followObjectByTopic(self, topic, max_duration=0):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.following_client, topic, max_duration)
 
     def followObjectByFrame(self, frame, max_duration=0):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.following_client, frame, max_duration)
 
     def cancelTask(self):
+        if _tells(self.result_future):
+            self.goal_handle.cancel_goal_async()
         rclpy.spin_once(self)
         return unknown("live", "answer of Nav2")
 
-    @reads_only
-    def getFeedback(self, task=RunningTask.NONE): ...
+    def getFeedback(self, task=RunningTask.NONE):
+        return either(self.feedback, unknown("live", "feedback of Nav2"))
 
-    @reads_only
-    def clearPreviousState(self) -> None: ...
+    def clearPreviousState(self):
+        self.feedback = None
 
     @reads_only
     def setTaskError(self, error_code, error_msg) -> None: ...
 
-    @reads_only
-    def getTaskError(self): ...
+    def getTaskError(self):
+        return _code(self.result_future), _words(self.result_future)
 
     def getPath(self, start, goal, planner_id="", use_start=False):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._compute(self.compute_path_to_pose_client, start, goal, planner_id, use_start).path
 
     def getPathThroughPoses(self, start, goals, planner_id="", use_start=False):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._compute(self.compute_path_through_poses_client, start, goals, planner_id, use_start).path
 
     def getRoute(self, start, goal, use_start=False):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        found = self._compute(self.compute_route_client, start, goal, use_start)
+        return [found.path, found.route]
 
     def getAndTrackRoute(self, start, goal, use_start=False):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._send(self.compute_and_track_route_client, start, goal, use_start)
 
     def smoothPath(self, path, smoother_id="", max_duration=2.0, check_for_collision=False):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._compute(self.smoother_client, path, smoother_id, max_duration, check_for_collision).path
 
     def changeMap(self, map_filepath):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return _tells(self._ask(self.change_maps_srv, map_filepath))
 
     def clearAllCostmaps(self):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        self.clearLocalCostmap()
+        self.clearGlobalCostmap()
 
     def clearLocalCostmap(self):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        self._ask(self.clear_costmap_local_srv)
 
     def clearGlobalCostmap(self):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        self._ask(self.clear_costmap_global_srv)
 
     def clearCostmapExceptRegion(self, reset_distance):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        self._ask(self.clear_costmap_except_region_srv, reset_distance)
 
     def clearCostmapAroundRobot(self, reset_distance):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        self._ask(self.clear_costmap_around_robot_srv, reset_distance)
 
     def clearLocalCostmapAroundPose(self, pose, reset_distance):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        self._ask(self.clear_local_costmap_around_pose_srv, pose, reset_distance)
 
     def clearGlobalCostmapAroundPose(self, pose, reset_distance):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        self._ask(self.clear_global_costmap_around_pose_srv, pose, reset_distance)
 
     def getGlobalCostmap(self):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._ask(self.get_costmap_global_srv).map
 
     def getLocalCostmap(self):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        return self._ask(self.get_costmap_local_srv).map
 
     def toggleCollisionMonitor(self, enable):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        self._ask(self.toggle_collision_monitor_srv, enable)
 
-    @reads_only
-    def info(self, msg) -> None: ...
+    def info(self, msg):
+        self.get_logger().info(msg)
 
-    @reads_only
-    def warn(self, msg) -> None: ...
+    def warn(self, msg):
+        self.get_logger().warn(msg)
 
-    @reads_only
-    def error(self, msg) -> None: ...
+    def error(self, msg):
+        self.get_logger().error(msg)
 
-    @reads_only
-    def debug(self, msg) -> None: ...
+    def debug(self, msg):
+        self.get_logger().debug(msg)
 
     def clearCostmapAroundPose(self, pose, reset_distance):
-        rclpy.spin_once(self)
-        return unknown("live", "answer of Nav2")
+        self._ask(self.clear_local_costmap_around_pose_srv, pose, reset_distance)
 
     @reads_only
     def clearTaskError(self) -> None: ...

@@ -4,12 +4,15 @@
 Read from py_trees 2.6.0.
 """
 
-from _rosward import reads_only
+from _rosward import either, pure, reads_only
 
 from py_trees.blackboard import Client
 from py_trees.common import Name, Status
 
 reads_only(__name__)
+
+
+def _runs(found) -> bool: ...
 
 
 class Behaviour:
@@ -20,25 +23,32 @@ class Behaviour:
         self.parent = None
         self.feedback_message = ""
 
+    @pure
     def setup(self, **kwargs) -> None: ...
+    @pure
     def initialise(self) -> None: ...
+    @pure
     def terminate(self, new_status) -> None: ...
 
     def update(self):
         return Status.INVALID
 
+    @pure
     def shutdown(self) -> None: ...
-    def attach_blackboard_client(self, name=None, namespace=None) -> Client: ...
+    def attach_blackboard_client(self, name=None, namespace=None):
+        return Client(name=name, namespace=namespace)
 
     def setup_with_descendants(self):
         for node in self.iterate():
             node.setup()
 
     def tick_once(self):
-        for node in self.iterate():
-            node.initialise()
-            node.update()
-            node.terminate(Status.INVALID)
+        nodes = self.iterate()
+        for node in nodes:
+            if _runs([each.status for each in nodes]):  # what the others have found decides
+                node.initialise()
+                node.status = node.update()
+                node.terminate(either(Status.INVALID, node.status))
 
     def tick(self):
         self.tick_once()
@@ -54,11 +64,14 @@ class Behaviour:
         nodes.append(self)
         return nodes
 
+    @pure
     def visit(self, visitor) -> None: ...
 
     def stop(self, new_status):
         self.terminate(new_status)
 
+    @pure
     def has_parent_with_name(self, name) -> bool: ...
+    @pure
     def has_parent_with_instance_type(self, instance_type) -> bool: ...
     def tip(self): ...

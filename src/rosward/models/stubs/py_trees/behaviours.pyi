@@ -6,6 +6,7 @@ Read from py_trees 2.6.0.
 
 from py_trees import common
 from py_trees.behaviour import Behaviour
+from py_trees.blackboard import Blackboard
 
 
 class Success(Behaviour): ...
@@ -28,6 +29,11 @@ class Periodic(Behaviour):
 class StatusQueue(Behaviour):
     def __init__(self, name, queue, eventually):
         Behaviour.__init__(self, name)
+        self.queue = queue
+        self.eventually = eventually
+
+    def update(self):
+        return common._status(self.queue, self.eventually)
 
 
 class SuccessEveryN(Behaviour):
@@ -43,11 +49,19 @@ class TickCounter(Behaviour):
 class BlackboardToStatus(Behaviour):
     def __init__(self, name, variable_name):
         Behaviour.__init__(self, name)
+        self.variable_name = variable_name
+
+    def update(self):
+        return common._status(Blackboard.get(self.variable_name))
 
 
 class CheckBlackboardVariableExists(Behaviour):
     def __init__(self, name, variable_name):
         Behaviour.__init__(self, name)
+        self.variable_name = variable_name
+
+    def update(self):
+        return common._status(Blackboard.exists(self.variable_name))
 
 
 class WaitForBlackboardVariable(CheckBlackboardVariableExists):
@@ -61,18 +75,35 @@ class UnsetBlackboardVariable(Behaviour):
 
 
 class SetBlackboardVariable(Behaviour):
-    def __init__(self, name, variable_name, variable_value, overwrite):
+    def __init__(self, name, variable_name, variable_value, overwrite=True):
         Behaviour.__init__(self, name)
+        self.variable_name = variable_name
+        self.variable_value = variable_value
+
+    def update(self):
+        value = self.variable_value
+        Blackboard.set(self.variable_name, value() if callable(value) else value)
+        return common._status(Blackboard.exists(self.variable_name))
 
 
 class CheckBlackboardVariableValue(Behaviour):
     def __init__(self, name, check):
         Behaviour.__init__(self, name)
+        self.check = check
+
+    def update(self):
+        check = self.check
+        return common._status(check.operator(Blackboard.get(check.variable), check.value))
 
 
 class CompareBlackboardVariables(Behaviour):
     def __init__(self, name, var1_key, var2_key, operator):
         Behaviour.__init__(self, name)
+        self.var1_key, self.var2_key = var1_key, var2_key
+        self.operator = operator
+
+    def update(self):
+        return common._status(self.operator(Blackboard.get(self.var1_key), Blackboard.get(self.var2_key)))
 
 
 class WaitForBlackboardVariableValue(CheckBlackboardVariableValue):

@@ -22,6 +22,14 @@ class Status(enum.Enum):
     INVALID = "INVALID"
 
 
+def _tells(seen) -> bool: ...
+
+
+def _status(*seen):
+    """What a behaviour finds, by what it has seen."""
+    return Status.SUCCESS if _tells(seen) else Status.FAILURE
+
+
 class Duration(enum.Enum):
     INFINITE = 1.7976931348623157e308
     UNTIL_THE_BATTLE_OF_ALFREDO = 1.7976931348623157e308

@@ -7,8 +7,11 @@ Read from py_trees 2.6.0.
 import functools
 import inspect
 
+from _rosward import reads_only
+
 from py_trees import common
 from py_trees.behaviour import Behaviour
+from py_trees.blackboard import Blackboard
 
 
 class Decorator(Behaviour):
@@ -16,6 +19,9 @@ class Decorator(Behaviour):
         Behaviour.__init__(self, name)
         self.children = [child]
         self.decorated = child
+
+    def update(self):
+        return common._status(self.decorated.status)
 
 
 class Repeat(Decorator):
@@ -31,6 +37,11 @@ class Retry(Decorator):
 class StatusToBlackboard(Decorator):
     def __init__(self, name, child, variable_name):
         Decorator.__init__(self, name, child)
+        self.variable_name = variable_name
+
+    def update(self):
+        Blackboard.set(self.variable_name, self.decorated.status)
+        return self.decorated.status
 
 
 class EternalGuard(Decorator):
@@ -41,8 +52,7 @@ class EternalGuard(Decorator):
         self.condition = functools.partial(condition, self.blackboard) if asks else condition
 
     def update(self):
-        self.condition()
-        return self.decorated.status
+        return common._status(self.condition(), self.decorated.status)
 
 
 class Timeout(Decorator):
@@ -96,3 +106,12 @@ class PassThrough(Decorator):
 class ForEach(Decorator):
     def __init__(self, name, child, source_key, target_key):
         Decorator.__init__(self, name, child)
+        self.source_key, self.target_key = source_key, target_key
+
+    def update(self):
+        Blackboard.set(self.target_key, _one_of(Blackboard.get(self.source_key)))
+        return common._status(self.decorated.status)
+
+
+@reads_only
+def _one_of(several): ...

@@ -4,7 +4,9 @@
 Read from splintered-reality/py_trees_ros, branch devel (2023-04, 2.3).
 """
 
+from py_trees import common
 from py_trees.behaviour import Behaviour
+from py_trees.blackboard import Blackboard
 
 
 class FromBlackboard(Behaviour):
@@ -13,9 +15,15 @@ class FromBlackboard(Behaviour):
         self.topic_name = topic_name
         self.topic_type = topic_type
         self.qos_profile = qos_profile
+        self.variable_name = blackboard_variable
 
     def setup(self, **kwargs):
         self.node = kwargs["node"]
         self.publisher = self.node.create_publisher(
             msg_type=self.topic_type, topic=self.topic_name, qos_profile=self.qos_profile
         )
+
+    def update(self):
+        if Blackboard.exists(self.variable_name):
+            self.publisher.publish(Blackboard.get(self.variable_name))
+        return common._status(Blackboard.exists(self.variable_name))

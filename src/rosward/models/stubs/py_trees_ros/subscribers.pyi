@@ -6,7 +6,9 @@ Read from splintered-reality/py_trees_ros, branch devel (2023-04, 2.3).
 
 import operator
 
+from py_trees import common
 from py_trees.behaviour import Behaviour
+from py_trees.blackboard import Blackboard
 from py_trees.common import ClearingPolicy
 from std_msgs.msg import Empty
 
@@ -19,6 +21,7 @@ class Handler(Behaviour):
         self.qos_profile = qos_profile
         self.clearing_policy = clearing_policy
         self.node = None
+        self.msg = None
 
     def setup(self, **kwargs):
         self.node = kwargs["node"]
@@ -28,6 +31,9 @@ class Handler(Behaviour):
 
     def _callback(self, msg):
         self.msg = msg
+
+    def update(self):
+        return common._status(self.msg)
 
 
 class CheckData(Handler):
@@ -45,6 +51,10 @@ class CheckData(Handler):
         clearing_policy=ClearingPolicy.ON_INITIALISE,
     ):
         Handler.__init__(self, name, topic_name, topic_type, qos_profile, clearing_policy)
+        self.expected_value = expected_value
+
+    def update(self):
+        return common._status(self.msg, self.expected_value)
 
 
 class WaitForData(Handler):
@@ -64,8 +74,23 @@ class ToBlackboard(Handler):
         clearing_policy=ClearingPolicy.ON_INITIALISE,
     ):
         Handler.__init__(self, name, topic_name, topic_type, qos_profile, clearing_policy)
+        self._variables = [blackboard_variables] if isinstance(blackboard_variables, str) else blackboard_variables
+        if isinstance(initialise_variables, dict):
+            for key, value in initialise_variables.items():
+                Blackboard.set(key, value)
+
+    def update(self):
+        if self.msg is not None:
+            for key in self._variables:
+                Blackboard.set(key, self.msg)
+        return common._status(self.msg)
 
 
 class EventToBlackboard(Handler):
     def __init__(self, name, topic_name, qos_profile, variable_name):
         Handler.__init__(self, name, topic_name, Empty, qos_profile, ClearingPolicy.ON_SUCCESS)
+        self.variable_name = variable_name
+
+    def update(self):
+        Blackboard.set(self.variable_name, self.msg is not None)
+        return common._status(self.msg)

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import reads_only, waits
+from _rosward import changes, reads_only, waits
 
 from rcl_interfaces.msg import ParameterEvent
 from rcl_interfaces.srv import (
@@ -58,31 +58,31 @@ class AsyncParameterClient:
     def wait_for_services(self, timeout_sec=None) -> bool: ...
 
     def list_parameters(self, prefixes=None, depth=None, callback=None):
-        return _ask(self._list_parameter_client, callback)
+        return _ask(self._list_parameter_client, (prefixes, depth,), callback)
 
     def get_parameters(self, names, callback=None):
-        return _ask(self._get_parameter_client, callback)
+        return _ask(self._get_parameter_client, (names,), callback)
 
     def set_parameters(self, parameters, callback=None):
-        return _ask(self._set_parameter_client, callback)
+        return _ask(self._set_parameter_client, (parameters,), callback)
 
     def describe_parameters(self, names, callback=None):
-        return _ask(self._describe_parameters_client, callback)
+        return _ask(self._describe_parameters_client, (names,), callback)
 
     def get_parameter_types(self, names, callback=None):
-        return _ask(self._get_parameter_types_client, callback)
+        return _ask(self._get_parameter_types_client, (names,), callback)
 
     def set_parameters_atomically(self, parameters, callback=None):
-        return _ask(self._set_parameters_atomically_client, callback)
+        return _ask(self._set_parameters_atomically_client, (parameters,), callback)
 
     def delete_parameters(self, names, callback=None):
-        return _ask(self._set_parameter_client, callback)
+        return _ask(self._set_parameter_client, (names,), callback)
 
     def load_parameter_file(self, parameter_file, use_wildcard=False, callback=None):
-        return _ask(self._set_parameter_client, callback)
+        return _ask(self._set_parameter_client, (parameter_file, use_wildcard,), callback)
 
     def load_parameter_file_atomically(self, parameter_file, use_wildcard=False, callback=None):
-        return _ask(self._set_parameters_atomically_client, callback)
+        return _ask(self._set_parameters_atomically_client, (parameter_file, use_wildcard,), callback)
 
     def on_parameter_event(
         self,
@@ -106,8 +106,14 @@ class AsyncParameterClient:
         )
 
 
-def _ask(client, callback):
-    future = client.call_async(client.srv_type.Request())
+@changes("request")
+def _fill(request, content) -> None: ...
+
+
+def _ask(client, content, callback):
+    request = client.srv_type.Request()
+    _fill(request, content)
+    future = client.call_async(request)
     if callback is not None:
         future.add_done_callback(callback)
     return future

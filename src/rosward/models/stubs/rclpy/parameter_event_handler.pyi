@@ -4,10 +4,14 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import message, reads_only, schedule
+from _rosward import pure, reads_only, schedule
 from rcl_interfaces.msg import Parameter as ParameterMsg, ParameterEvent
 
 from rclpy.qos import qos_profile_parameter_events
+
+
+@pure
+def _parameter_in(event) -> ParameterMsg: ...
 
 
 class ParameterCallbackHandle:
@@ -56,13 +60,13 @@ class ParameterEventHandler:
     def get_parameters_from_event(event): ...
 
     def add_parameter_callback(self, parameter_name, node_name, callback):
-        schedule(callback, message(ParameterMsg, "parameter event"), event="parameters")
+        schedule(callback, _parameter_in(self.parameter_event_subscription._taken()), event="parameters")
         return ParameterCallbackHandle(parameter_name, node_name, callback)
 
     def remove_parameter_callback(self, handle) -> None: ...
 
     def add_parameter_event_callback(self, callback):
-        schedule(callback, message(ParameterEvent, "parameter event"), event="parameters")
+        schedule(callback, self.parameter_event_subscription._taken(), event="parameters")
         return ParameterEventCallbackHandle(callback)
 
     def remove_parameter_event_callback(self, handle) -> None: ...

@@ -32,6 +32,9 @@ class Subscription:
         self.qos_profile = qos_profile
         self.raw = raw
 
+    def _taken(self):
+        return message(self.msg_type, "message")
+
     def get_publisher_count(self) -> int: ...
 
     @property
@@ -51,7 +54,7 @@ class Subscription:
     @callback.setter
     def callback(self, value):
         self._callback = value
-        schedule(value, message(self.msg_type, "message"), event="message")
+        schedule(value, self._taken(), event="message")
 
     @property
     def logger_name(self) -> str: ...

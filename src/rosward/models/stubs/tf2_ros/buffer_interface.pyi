@@ -4,7 +4,7 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
-from _rosward import reads_only, source
+from _rosward import either, reads_only, source
 
 from geometry_msgs.msg import TransformStamped
 from rclpy.duration import Duration
@@ -63,4 +63,8 @@ class ConvertRegistration:
     def get_convert(self, key): ...
 
 
-def convert(a, b_type): ...
+def _converted(a, b_type): ...
+
+
+def convert(a, b_type):
+    return either(a, _converted(a, b_type))

@@ -10,19 +10,19 @@ class DiagnosticStatusWrapper : public diagnostic_msgs::msg::DiagnosticStatus
 public:
   DiagnosticStatusWrapper() {}
   template<typename... ArgsT>
-  void summary(const ArgsT & ... args) {}
+  [[rosward::changes("self")]] void summary(const ArgsT & ... args) {}
   template<typename... ArgsT>
-  void summaryf(const ArgsT & ... args) {}
+  [[rosward::changes("self")]] void summaryf(const ArgsT & ... args) {}
   template<typename... ArgsT>
-  void mergeSummary(const ArgsT & ... args) {}
+  [[rosward::changes("self")]] void mergeSummary(const ArgsT & ... args) {}
   template<typename... ArgsT>
-  void mergeSummaryf(const ArgsT & ... args) {}
+  [[rosward::changes("self")]] void mergeSummaryf(const ArgsT & ... args) {}
   void clearSummary() {}
   void clear() {}
   template<typename... ArgsT>
-  void add(const ArgsT & ... args) {}
+  [[rosward::changes("self")]] void add(const ArgsT & ... args) {}
   template<typename... ArgsT>
-  void addf(const ArgsT & ... args) {}
+  [[rosward::changes("self")]] void addf(const ArgsT & ... args) {}
 };
 
 using TaskFunction = std::function<void(DiagnosticStatusWrapper &)>;
@@ -73,18 +73,40 @@ public:
   void add(const std::string & name, const CallbackT & callback, const ObjectT & ... object)
   {
     if (sizeof...(object) == 0) {
-      rosward::schedule(callback, "timer", DiagnosticStatusWrapper());
+      rosward::schedule([this, callback]() {
+          DiagnosticStatusWrapper stat;
+          callback(stat);
+          _publish(stat);
+        }, "timer");
     } else {
-      rosward::schedule(rosward::bound(object..., callback), "timer", DiagnosticStatusWrapper());
+      auto bound = rosward::bound(object..., callback);
+      rosward::schedule([this, bound]() {
+          DiagnosticStatusWrapper stat;
+          bound(stat);
+          _publish(stat);
+        }, "timer");
     }
   }
   void add(DiagnosticTask & task)
   {
-    rosward::schedule([&task]() {
+    rosward::schedule([this, &task]() {
         DiagnosticStatusWrapper stat;
         task.run(stat);
+        _publish(stat);
       }, "timer");
   }
+  template<typename... ContentT>
+  void _publish(const ContentT & ... content)
+  {
+    if (_node != nullptr) {
+      rosward::send(
+        "publication", _node, "/diagnostics", rosward::type<diagnostic_msgs::msg::DiagnosticArray>(),
+        std::make_tuple(_hardware, content...));
+    }
+  }
+
+  rclcpp::AnyNode * _node = nullptr;
+  std::string _hardware;
   bool removeByName(const std::string & name) {return true;}
 };
 
@@ -110,6 +132,7 @@ public:
   void _start(NodeT node, double period)
   {
     auto found = rosward::interface_of(node);
+    _node = found;
     rosward::create("publisher", found, "/diagnostics", rosward::type<diagnostic_msgs::msg::DiagnosticArray>(), 1);
     if (!found->has_parameter("diagnostic_updater.period")) {
       found->declare_parameter("diagnostic_updater.period", period);
@@ -124,10 +147,10 @@ public:
   template<typename T>
   void setPeriod(const T & period) {}
   template<typename... ArgsT>
-  void broadcast(const ArgsT & ... args) {}
-  void setHardwareID(const std::string & hwid) {}
+  void broadcast(const ArgsT & ... args) {_publish(args...);}
+  void setHardwareID(const std::string & hwid) {_hardware = hwid;}
   template<typename... ArgsT>
-  void setHardwareIDf(const ArgsT & ... args) {}
+  [[rosward::changes("self")]] void setHardwareIDf(const ArgsT & ... args) {}
 };
 
 struct FrequencyStatusParam

@@ -226,8 +226,13 @@ public:
     detail::subscribe(_node, base_topic, transport, qos, callback);
     rosward::create(
       "subscription", _node, detail::camera_info(base_topic), rosward::type<sensor_msgs::msg::CameraInfo>(), qos, callback);
-    rosward::schedule(
-      callback, "message", rosward::arrived<sensor_msgs::msg::Image>(), rosward::arrived<sensor_msgs::msg::CameraInfo>());
+    rclcpp::Subscription<sensor_msgs::msg::CameraInfo> of_info;
+    of_info._node = _node;
+    of_info._topic = detail::camera_info(base_topic);
+    auto info = std::make_shared<sensor_msgs::msg::CameraInfo>();
+    rclcpp::MessageInfo about;
+    of_info.take(*info, about);
+    rosward::schedule(callback, "message", rosward::arrived<sensor_msgs::msg::Image>(), info);
   }
 
   rosward::value _node;

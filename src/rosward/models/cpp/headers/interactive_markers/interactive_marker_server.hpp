@@ -6,6 +6,13 @@
 
 namespace interactive_markers
 {
+namespace detail
+{
+// What is told of markers, or asked.
+template<typename TargetT, typename... ContentT>
+[[rosward::changes("target")]] void note(TargetT & target, const ContentT & ... content) {}
+}  // namespace detail
+
 class InteractiveMarkerServer
 {
 public:
@@ -35,33 +42,57 @@ public:
   virtual ~InteractiveMarkerServer() {}
 
   template<typename MarkerT>
-  void insert(const MarkerT & marker) {}
+  void insert(const MarkerT & marker) {detail::note(_pending, marker);}
   template<typename MarkerT, typename CallbackT>
   void insert(const MarkerT & marker, const CallbackT & feedback_callback, uint8_t feedback_type = DEFAULT_FEEDBACK_CB)
   {
-    rosward::schedule(feedback_callback, "message");
+    insert(marker);
+    setCallback("", feedback_callback);
   }
   template<typename CallbackT>
   bool setCallback(
     const std::string & name, const CallbackT & feedback_callback, uint8_t feedback_type = DEFAULT_FEEDBACK_CB)
   {
-    rosward::schedule(feedback_callback, "message");
+    rosward::schedule(
+      feedback_callback, "message", rosward::arrived<visualization_msgs::msg::InteractiveMarkerFeedback>());
     return rosward::unknown("live", "markers", "bool");
   }
   template<typename... ArgsT>
-  bool setPose(const ArgsT & ... args) {return rosward::unknown("live", "markers", "bool");}
-  bool erase(const std::string & name) {return rosward::unknown("live", "markers", "bool");}
+  bool setPose(const ArgsT & ... args)
+  {
+    detail::note(_pending, args...);
+    return rosward::unknown("live", "markers", "bool");
+  }
+  bool erase(const std::string & name)
+  {
+    detail::note(_pending, name);
+    return rosward::unknown("live", "markers", "bool");
+  }
   void clear() {}
   bool empty() const {return rosward::unknown("live", "markers", "bool");}
   std::size_t size() const {return rosward::unknown("live", "markers", "int");}
-  void applyChanges() {}
+  void applyChanges()
+  {
+    rosward::send(
+      "publication", _node, _update, rosward::type<visualization_msgs::msg::InteractiveMarkerUpdate>(), _pending);
+    rosward::send(
+      "response", _node, _service, rosward::type<visualization_msgs::srv::GetInteractiveMarkers::Response>(), _pending);
+  }
   template<typename MarkerT>
-  bool get(const std::string & name, MarkerT & marker) const {return rosward::unknown("live", "markers", "bool");}
+  bool get(const std::string & name, MarkerT & marker) const
+  {
+    detail::note(marker, _pending, name);
+    return rosward::unknown("live", "markers", "bool");
+  }
 
   template<typename NodeT>
   void _serve(const std::string & topic_namespace, NodeT node, const rclcpp::QoS & update, const rclcpp::QoS & feedback)
   {
     auto found = rosward::interface_of(node);
+    _node = found;
+    _topic = topic_namespace + "/feedback";
+    _update = topic_namespace + "/update";
+    _service = topic_namespace + "/get_interactive_markers";
     rosward::create(
       "publisher", found, topic_namespace + "/update",
       rosward::type<visualization_msgs::msg::InteractiveMarkerUpdate>(), update);
@@ -71,6 +102,13 @@ public:
     rosward::create(
       "subscription", found, topic_namespace + "/feedback",
       rosward::type<visualization_msgs::msg::InteractiveMarkerFeedback>(), feedback);
+    detail::note(_pending, *rosward::arrived<visualization_msgs::msg::InteractiveMarkerFeedback>());
   }
+
+  rosward::value _node;
+  std::string _topic;
+  std::string _update;
+  std::string _service;
+  visualization_msgs::msg::InteractiveMarkerUpdate _pending;
 };
 }  // namespace interactive_markers

@@ -123,15 +123,18 @@ public:
   [[rosward::creator]] LifecycleServiceClient(const std::string & lifecycle_node_name, NodeT parent_node)
   {
     auto node = rosward::interface_of(parent_node);
-    rosward::create(
-      "service_client", node, lifecycle_node_name + "/change_state", rosward::type<lifecycle_msgs::srv::ChangeState>(), 10);
-    rosward::create(
-      "service_client", node, lifecycle_node_name + "/get_state", rosward::type<lifecycle_msgs::srv::GetState>(), 10);
+    _change = std::make_shared<rclcpp::detail::AskedService<lifecycle_msgs::srv::ChangeState>>(
+      node, lifecycle_node_name + "/change_state", 10);
+    _get = std::make_shared<rclcpp::detail::AskedService<lifecycle_msgs::srv::GetState>>(
+      node, lifecycle_node_name + "/get_state", 10);
   }
   template<typename... ArgsT>
-  bool change_state(const ArgsT & ... args) {return rosward::unknown("live", "state of a node", "bool");}
+  bool change_state(const ArgsT & ... args) {return _change->ask(args...)->success;}
   template<typename... ArgsT>
-  uint8_t get_state(const ArgsT & ... args) {return rosward::unknown("live", "state of a node", "int");}
+  uint8_t get_state(const ArgsT & ... args) {return _get->ask()->current_state.id;}
+
+  std::shared_ptr<rclcpp::detail::AskedService<lifecycle_msgs::srv::ChangeState>> _change;
+  std::shared_ptr<rclcpp::detail::AskedService<lifecycle_msgs::srv::GetState>> _get;
 };
 
 class NodeThread
@@ -147,13 +150,16 @@ public:
   template<typename NodeT>
   [[rosward::creator]] explicit OdomSmoother(
     const NodeT & parent, double filter_duration = 0.3, const std::string & odom_topic = "odom")
+  : _node(rosward::interface_of(parent)), _topic(odom_topic)
   {
     rosward::create(
-      "subscription", rosward::interface_of(parent), odom_topic, rosward::type<nav_msgs::msg::Odometry>(),
-      rclcpp::SystemDefaultsQoS());
+      "subscription", _node, _topic, rosward::type<nav_msgs::msg::Odometry>(), rclcpp::SystemDefaultsQoS());
   }
   geometry_msgs::msg::Twist getTwist() {return rosward::message<geometry_msgs::msg::Twist>();}
   geometry_msgs::msg::TwistStamped getTwistStamped() {return rosward::message<geometry_msgs::msg::TwistStamped>();}
+
+  rosward::value _node;
+  std::string _topic;
 };
 
 template<typename NodeT, typename DefaultT, typename... DescriptorT>
@@ -189,7 +195,7 @@ std::string add_namespaces(const std::string & top_ns, const std::string & sub_n
   }
   return top_ns + "/" + sub_ns;
 }
-std::string time_to_string(size_t len) {return rosward::unknown("random", "time", "str");}
+[[rosward::source("clock")]] std::string time_to_string(size_t len) {return rosward::unknown("random", "time", "str");}
 std::string generate_internal_node_name(const std::string & prefix = "")
 {
   return sanitize_node_name(prefix) + "_" + time_to_string(8);
@@ -204,13 +210,13 @@ rclcpp::Node::SharedPtr generate_internal_node(const std::string & prefix = "")
 }
 void setSoftRealTimePriority() {}
 template<typename... ArgsT>
-bool getCurrentPose(geometry_msgs::msg::PoseStamped & global_pose, const ArgsT & ... args)
+[[rosward::source("tf"), rosward::changes("global_pose")]] bool getCurrentPose(geometry_msgs::msg::PoseStamped & global_pose, const ArgsT & ... args)
 {
   rosward::fill(global_pose);
   return rosward::unknown("live", "whether a transform is there", "bool");
 }
 template<typename InT, typename OutT, typename... ArgsT>
-bool transformPoseInTargetFrame(const InT & input_pose, OutT & transformed_pose, const ArgsT & ... args)
+[[rosward::source("tf"), rosward::changes("transformed_pose")]] bool transformPoseInTargetFrame(const InT & input_pose, OutT & transformed_pose, const ArgsT & ... args)
 {
   rosward::fill(transformed_pose);
   return rosward::unknown("live", "whether a transform is there", "bool");

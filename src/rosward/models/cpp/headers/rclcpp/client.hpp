@@ -139,15 +139,19 @@ public:
 
   FutureAndRequestId async_send_request(void * request)
   {
+    rosward::send("request", _node, _service, _type, request);
     return FutureAndRequestId(rosward::unknown("message", "response"));
   }
   template<typename CallbackT>
   FutureAndRequestId async_send_request(void * request, CallbackT && callback)
   {
+    rosward::send("request", _node, _service, _type, request);
     SharedFuture future(rosward::unknown("message", "response"));
     rosward::schedule(callback, "response", future);
     return FutureAndRequestId(rosward::unknown("message", "response"));
   }
+
+  rosward::value _type;
 };
 
 class ServiceBase

@@ -318,6 +318,7 @@ public:
     auto client = std::make_shared<GenericClient>();
     client->_node = _node;
     client->_service = name;
+    client->_type = rosward::type_named(type);
     return client;
   }
   template<typename CallbackT>

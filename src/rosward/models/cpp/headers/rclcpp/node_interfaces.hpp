@@ -166,17 +166,20 @@ template<typename MessageT, typename NodeT, typename TimeoutT = int>
 [[rosward::creator]] bool wait_for_message(
   MessageT & out, NodeT node, const std::string & topic, const TimeoutT & time_to_wait = -1, const QoS & qos = SystemDefaultsQoS())
 {
-  rosward::create("subscription", rosward::interface_of(node), topic, rosward::type<MessageT>(), 1);
-  rosward::fill(out);
-  return rosward::unknown("live", "whether a message comes", "bool");
+  auto subscription = std::make_shared<Subscription<MessageT>>();
+  subscription->_node = rosward::interface_of(node);
+  subscription->_topic = topic;
+  rosward::create("subscription", subscription->_node, topic, rosward::type<MessageT>(), 1);
+  MessageInfo info;
+  return subscription->take(out, info);
 }
 template<typename MessageT, typename TimeoutT = int>
 bool wait_for_message(
   MessageT & out, std::shared_ptr<Subscription<MessageT>> subscription, std::shared_ptr<Context> context,
   const TimeoutT & time_to_wait = -1)
 {
-  rosward::fill(out);
-  return rosward::unknown("live", "whether a message comes", "bool");
+  MessageInfo info;
+  return subscription->take(out, info);
 }
 
 template<typename SourceT, typename DestinationT>

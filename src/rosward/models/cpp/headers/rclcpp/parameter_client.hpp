@@ -5,6 +5,65 @@
 
 namespace rclcpp
 {
+namespace detail
+{
+// A client of a service: what is asked is sent, and what is answered is made of the response.
+template<typename ServiceT>
+class AskedService : public Client<ServiceT>
+{
+public:
+  template<typename QosT>
+  AskedService(AnyNode * node, const std::string & name, const QosT & qos)
+  {
+    rosward::create("service_client", node, name, rosward::type<ServiceT>(), qos);
+    this->_node = node;
+    this->_service = name;
+  }
+  template<typename... ArgsT>
+  std::shared_ptr<typename ServiceT::Response> ask(const ArgsT & ... args)
+  {
+    rosward::send(
+      "request", this->_node, this->_service, rosward::type<typename ServiceT::Request>(), std::make_tuple(args...));
+    return rosward::arrived<typename ServiceT::Response>();
+  }
+};
+
+template<typename ResponseT>
+std::vector<Parameter> parameters_in(const std::vector<std::string> & names, const ResponseT & response)
+{
+  std::vector<Parameter> parameters;
+  for (const auto & name : names) {
+    parameters.push_back(Parameter(name, remote_value(response)));
+  }
+  return parameters;
+}
+template<typename ResponseT>
+rosward::value remote_value(const ResponseT & response)
+{
+  return rosward::unknown("message", "value of a parameter of another node");
+}
+template<typename ResponseT>
+bool is_remote(const ResponseT & response)
+{
+  return rosward::unknown("message", "parameters of another node", "bool");
+}
+template<typename ResponseT>
+rosward::value results_in(const ResponseT & response)
+{
+  return rosward::unknown("message", "results of set_parameters");
+}
+template<typename ResponseT>
+rosward::value descriptors_in(const ResponseT & response)
+{
+  return rosward::unknown("message", "descriptors of parameters");
+}
+template<typename ResponseT>
+rosward::value types_in(const ResponseT & response)
+{
+  return rosward::unknown("message", "types of parameters");
+}
+}  // namespace detail
+
 class AsyncParametersClient
 {
 public:
@@ -30,59 +89,60 @@ public:
   {
     _node = rosward::interface_of(node);
     const std::string remote = remote_node_name.empty() ? rosward::node_fqn(_node) : remote_node_name;
-    rosward::create(
-      "service_client", _node, remote + "/get_parameters", rosward::type<rcl_interfaces::srv::GetParameters>(), qos);
-    rosward::create(
-      "service_client", _node, remote + "/get_parameter_types", rosward::type<rcl_interfaces::srv::GetParameterTypes>(), qos);
-    rosward::create(
-      "service_client", _node, remote + "/set_parameters", rosward::type<rcl_interfaces::srv::SetParameters>(), qos);
-    rosward::create(
-      "service_client", _node, remote + "/set_parameters_atomically",
-      rosward::type<rcl_interfaces::srv::SetParametersAtomically>(), qos);
-    rosward::create(
-      "service_client", _node, remote + "/list_parameters", rosward::type<rcl_interfaces::srv::ListParameters>(), qos);
-    rosward::create(
-      "service_client", _node, remote + "/describe_parameters", rosward::type<rcl_interfaces::srv::DescribeParameters>(), qos);
+    _get = std::make_shared<detail::AskedService<rcl_interfaces::srv::GetParameters>>(
+      _node, remote + "/get_parameters", qos);
+    _get_types = std::make_shared<detail::AskedService<rcl_interfaces::srv::GetParameterTypes>>(
+      _node, remote + "/get_parameter_types", qos);
+    _set = std::make_shared<detail::AskedService<rcl_interfaces::srv::SetParameters>>(
+      _node, remote + "/set_parameters", qos);
+    _set_atomically = std::make_shared<detail::AskedService<rcl_interfaces::srv::SetParametersAtomically>>(
+      _node, remote + "/set_parameters_atomically", qos);
+    _list = std::make_shared<detail::AskedService<rcl_interfaces::srv::ListParameters>>(
+      _node, remote + "/list_parameters", qos);
+    _describe = std::make_shared<detail::AskedService<rcl_interfaces::srv::DescribeParameters>>(
+      _node, remote + "/describe_parameters", qos);
   }
 
   template<typename... ArgsT>
   auto get_parameters(const std::vector<std::string> & names, const ArgsT & ... callback)
   {
-    return _answer(detail::Future<std::vector<Parameter>>(detail::remote_parameters(names)), callback...);
+    return _answer(detail::Future<std::vector<Parameter>>(detail::parameters_in(names, _get->ask(names))), callback...);
   }
   template<typename... ArgsT>
   auto describe_parameters(const std::vector<std::string> & names, const ArgsT & ... callback)
   {
-    return _answer(detail::Future<rosward::value>(rosward::unknown("message", "descriptors of parameters")), callback...);
+    return _answer(detail::Future<rosward::value>(detail::descriptors_in(_describe->ask(names))), callback...);
   }
   template<typename... ArgsT>
   auto get_parameter_types(const std::vector<std::string> & names, const ArgsT & ... callback)
   {
-    return _answer(detail::Future<rosward::value>(rosward::unknown("message", "types of parameters")), callback...);
+    return _answer(detail::Future<rosward::value>(detail::types_in(_get_types->ask(names))), callback...);
   }
   template<typename... ArgsT>
   auto set_parameters(const std::vector<Parameter> & parameters, const ArgsT & ... callback)
   {
-    return _answer(detail::Future<rosward::value>(rosward::unknown("message", "results of set_parameters")), callback...);
+    return _answer(detail::Future<rosward::value>(detail::results_in(_set->ask(parameters))), callback...);
   }
   template<typename... ArgsT>
   auto set_parameters_atomically(const std::vector<Parameter> & parameters, const ArgsT & ... callback)
   {
-    return _answer(detail::Future<rosward::value>(rosward::message<rcl_interfaces::msg::SetParametersResult>()), callback...);
+    return _answer(
+      detail::Future<rcl_interfaces::msg::SetParametersResult>(_set_atomically->ask(parameters)->result), callback...);
   }
   auto delete_parameters(const std::vector<std::string> & parameters_names)
   {
-    return detail::Future<rosward::value>(rosward::unknown("message", "results of set_parameters"));
+    return detail::Future<rosward::value>(detail::results_in(_set->ask(parameters_names)));
   }
   template<typename SourceT>
   auto load_parameters(const SourceT & source)
   {
-    return detail::Future<rosward::value>(rosward::unknown("message", "results of set_parameters"));
+    return detail::Future<rosward::value>(detail::results_in(_set->ask(source)));
   }
   template<typename... ArgsT>
   auto list_parameters(const std::vector<std::string> & prefixes, uint64_t depth, const ArgsT & ... callback)
   {
-    return _answer(detail::Future<rosward::value>(rosward::message<rcl_interfaces::msg::ListParametersResult>()), callback...);
+    return _answer(
+      detail::Future<rcl_interfaces::msg::ListParametersResult>(_list->ask(prefixes, depth)->result), callback...);
   }
   template<typename FutureT, typename... ArgsT>
   FutureT _answer(const FutureT & future, const ArgsT & ... callback)
@@ -107,19 +167,13 @@ public:
   }
 
   AnyNode * _node = nullptr;
+  std::shared_ptr<detail::AskedService<rcl_interfaces::srv::GetParameters>> _get;
+  std::shared_ptr<detail::AskedService<rcl_interfaces::srv::GetParameterTypes>> _get_types;
+  std::shared_ptr<detail::AskedService<rcl_interfaces::srv::SetParameters>> _set;
+  std::shared_ptr<detail::AskedService<rcl_interfaces::srv::SetParametersAtomically>> _set_atomically;
+  std::shared_ptr<detail::AskedService<rcl_interfaces::srv::ListParameters>> _list;
+  std::shared_ptr<detail::AskedService<rcl_interfaces::srv::DescribeParameters>> _describe;
 };
-
-namespace detail
-{
-std::vector<Parameter> remote_parameters(const std::vector<std::string> & names)
-{
-  std::vector<Parameter> parameters;
-  for (const auto & name : names) {
-    parameters.push_back(Parameter(name, rosward::unknown("message", "value of a parameter of another node")));
-  }
-  return parameters;
-}
-}  // namespace detail
 
 class SyncParametersClient
 {
@@ -139,51 +193,51 @@ public:
   template<typename... ArgsT>
   std::vector<Parameter> get_parameters(const std::vector<std::string> & names, const ArgsT & ... timeout)
   {
-    return detail::remote_parameters(names);
+    return _client->get_parameters(names).get();
   }
   bool has_parameter(const std::string & parameter_name)
   {
-    return rosward::unknown("message", "parameters of another node", "bool");
+    return detail::is_remote(_client->_list->ask(parameter_name));
   }
   template<typename T, typename... ArgsT>
   T get_parameter(const std::string & parameter_name, const ArgsT & ... default_value)
   {
-    return rosward::unknown("message", "value of a parameter of another node");
+    return detail::remote_value(_client->_get->ask(parameter_name));
   }
   template<typename... ArgsT>
   auto describe_parameters(const std::vector<std::string> & names, const ArgsT & ... timeout)
   {
-    return rosward::unknown("message", "descriptors of parameters");
+    return _client->describe_parameters(names).get();
   }
   template<typename... ArgsT>
   auto get_parameter_types(const std::vector<std::string> & names, const ArgsT & ... timeout)
   {
-    return rosward::unknown("message", "types of parameters");
+    return _client->get_parameter_types(names).get();
   }
   template<typename... ArgsT>
   auto set_parameters(const std::vector<Parameter> & parameters, const ArgsT & ... timeout)
   {
-    return rosward::unknown("message", "results of set_parameters");
+    return _client->set_parameters(parameters).get();
   }
   template<typename... ArgsT>
   auto set_parameters_atomically(const std::vector<Parameter> & parameters, const ArgsT & ... timeout)
   {
-    return rosward::message<rcl_interfaces::msg::SetParametersResult>();
+    return _client->set_parameters_atomically(parameters).get();
   }
   template<typename... ArgsT>
   auto delete_parameters(const std::vector<std::string> & names, const ArgsT & ... timeout)
   {
-    return rosward::unknown("message", "results of set_parameters");
+    return _client->delete_parameters(names).get();
   }
   template<typename... ArgsT>
   auto load_parameters(const std::string & yaml_filename, const ArgsT & ... timeout)
   {
-    return rosward::unknown("message", "results of set_parameters");
+    return _client->load_parameters(yaml_filename).get();
   }
   template<typename... ArgsT>
   auto list_parameters(const std::vector<std::string> & prefixes, uint64_t depth, const ArgsT & ... timeout)
   {
-    return rosward::message<rcl_interfaces::msg::ListParametersResult>();
+    return _client->list_parameters(prefixes, depth).get();
   }
   template<typename CallbackT>
   auto on_parameter_event(CallbackT && callback) {return _client->on_parameter_event(callback);}
@@ -226,10 +280,10 @@ public:
 
   template<typename NodeT>
   [[rosward::creator]] explicit ParameterEventHandler(NodeT node, const QoS & qos = ParameterEventsQoS())
+  : _node(rosward::interface_of(node)), _topic("/parameter_events")
   {
     rosward::create(
-      "subscription", rosward::interface_of(node), "/parameter_events",
-      rosward::type<rcl_interfaces::msg::ParameterEvent>(), qos);
+      "subscription", _node, _topic, rosward::type<rcl_interfaces::msg::ParameterEvent>(), qos);
   }
   template<typename CallbackT>
   ParameterCallbackHandle::SharedPtr add_parameter_callback(
@@ -237,7 +291,7 @@ public:
   {
     rosward::schedule(
       callback, "parameters",
-      Parameter(parameter_name, rosward::unknown("parameter", "value, set when it runs")));
+      Parameter(parameter_name, rosward::unknown("message", "value of a parameter of another node")));
     return std::make_shared<ParameterCallbackHandle>();
   }
   template<typename CallbackT>
@@ -250,7 +304,7 @@ public:
   auto configure_nodes_filter(const CallbackT & node_names) {return true;}
   void remove_parameter_callback(ParameterCallbackHandle::SharedPtr callback_handle) {}
   void remove_parameter_event_callback(ParameterEventCallbackHandle::SharedPtr callback_handle) {}
-  static bool get_parameter_from_event(
+  [[rosward::changes("parameter")]] static bool get_parameter_from_event(
     const rcl_interfaces::msg::ParameterEvent & event, Parameter & parameter, const std::string & parameter_name,
     const std::string & node_name = "")
   {
@@ -266,6 +320,9 @@ public:
   {
     return detail::new_parameters();
   }
+
+  AnyNode * _node = nullptr;
+  std::string _topic;
 };
 using ParameterEventsSubscriber = ParameterEventHandler;
 }  // namespace rclcpp

@@ -35,6 +35,6 @@ public:
   bool setTransform(const ArgsT & ... args) {return true;}
   void setUsingDedicatedThread(bool value) {}
   void clear() {}
-  std::vector<std::string> getAllFrameNames() const {return rosward::unknown("live", "frames");}
+  [[rosward::source("tf")]] std::vector<std::string> getAllFrameNames() const {return rosward::unknown("live", "frames");}
 };
 }  // namespace tf2

@@ -67,14 +67,14 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(BufferInterface)
   virtual ~BufferInterface() {}
   template<typename... ArgsT>
-  [[rosward::source("tf")]] geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
+  [[rosward::holds, rosward::source("tf")]] geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
   {
     return rosward::message<geometry_msgs::msg::TransformStamped>();
   }
   template<typename... ArgsT>
-  [[rosward::source("tf")]] bool canTransform(const ArgsT & ... args) const {return rosward::unknown("live", "whether a transform is there", "bool");}
+  [[rosward::holds, rosward::source("tf")]] bool canTransform(const ArgsT & ... args) const {return rosward::unknown("live", "whether a transform is there", "bool");}
   template<typename InT, typename... ArgsT>
-  [[rosward::source("tf")]] InT transform(const InT & in, const ArgsT & ... args) const {return in;}
+  [[rosward::holds, rosward::source("tf")]] InT transform(const InT & in, const ArgsT & ... args) const {return in;}
 };
 
 class Buffer : public BufferInterface
@@ -92,7 +92,7 @@ public:
     }
   }
   template<typename CallbackT, typename... ArgsT>
-  auto waitForTransform(const std::string & target, const std::string & source, const ArgsT & ... args)
+  [[rosward::holds, rosward::source("tf")]] auto waitForTransform(const std::string & target, const std::string & source, const ArgsT & ... args)
   {
     return rosward::unknown("live", "transform");
   }
@@ -104,11 +104,11 @@ public:
   template<typename FutureT>
   void cancel(const FutureT & future) {}
   void clear() {}
-  std::vector<std::string> getAllFrameNames() const {return rosward::unknown("live", "frames");}
-  std::string allFramesAsYAML() const {return rosward::unknown("live", "frames", "str");}
-  std::string allFramesAsString() const {return rosward::unknown("live", "frames", "str");}
+  [[rosward::source("tf")]] std::vector<std::string> getAllFrameNames() const {return rosward::unknown("live", "frames");}
+  [[rosward::source("tf")]] std::string allFramesAsYAML() const {return rosward::unknown("live", "frames", "str");}
+  [[rosward::source("tf")]] std::string allFramesAsString() const {return rosward::unknown("live", "frames", "str");}
   template<typename... ArgsT>
-  bool _frameExists(const ArgsT & ... args) const {return rosward::unknown("live", "frames", "bool");}
+  [[rosward::holds, rosward::source("tf")]] bool _frameExists(const ArgsT & ... args) const {return rosward::unknown("live", "frames", "bool");}
 };
 
 class TransformListener

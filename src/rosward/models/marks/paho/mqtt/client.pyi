@@ -1,8 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """paho.mqtt.client."""
 
-from _rosward import sink
+from _rosward import sink, source
 
 class Client:
     @sink("network")
     def publish(self, topic, payload=None, qos=0, retain=False, properties=None): ...
+    @source("network")
+    def on_message(self, client, userdata, message): ...
+    @source("network")
+    def on_connect(self, client, userdata, flags, reason_code, properties): ...
+    @source("network")
+    def on_disconnect(self, client, userdata, flags, reason_code, properties): ...
+    @source("network")
+    def message_callback_add(self, sub, callback): ...
