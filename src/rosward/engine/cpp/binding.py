@@ -18,11 +18,12 @@ from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
-from rosward.engine.cpp.categories import cast_to
+from rosward.engine.cpp.categories import cast_to, numbers_written
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.handing import is_member, objects_of
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
+from rosward.engine.cpp.static_types import number_at
 from rosward.engine.cpp.types import is_message, is_pointer_pattern, match, pointee, type_of
 from rosward.ir.symbols import ParameterSymbol, Signature, TypePattern
 from rosward.models.cpp.values.slots import read
@@ -89,7 +90,7 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
     bindings: dict[str, Value] = {}
     if not wanted:
         return bindings
-    cast = cast_to(machine, given)
+    cast, numbers = cast_to(machine, given), numbers_written(machine, given)
     for index, parameter in enumerate(signature.parameters):
         pattern = parameter.type
         if parameter.pack:
@@ -104,6 +105,8 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
             bindings |= _of_array(machine, pattern, given[index], wanted)
         elif index < len(given) and (pattern.names or pattern.pointers or pattern.arguments):
             seen = cast[index] if cast and not pattern.pointers else None
+            if seen is None and not pattern.pointers:
+                seen = TypeOf(numbers[index], ()) if numbers and numbers[index] else number_at(machine, given[index])
             match(machine, pattern, type_of(machine, given[index]) if seen is None else seen, wanted, bindings)
             for name in _packs(pattern):  # it is none of nothing: `std::integer_sequence<T, Ns...>` of something else
                 if name in wanted and name not in bindings:

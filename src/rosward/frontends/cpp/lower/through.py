@@ -65,7 +65,7 @@ def value_through(body: Body, node: Node, pair: Pair) -> int:
 def factors(chain: Sequence[Node]) -> Iterator[tuple[Node, Node | None, Pair | None]]:
     """The links of a chain of operators, the innermost last, with what stands behind each of them; of `2 * o.*m`, that is a member."""
     links = list(reversed(chain))
-    for link, following in zip(links, [*links[1:], None], strict=True):
+    for link, following in zip(links, [*links[1:], None], strict=False):
         if member_behind(link) is not None:
             continue
         right = link.child_by_field_name("right")
