@@ -219,7 +219,7 @@ def call_function(
 
 @contextmanager
 def _seen_as(machine: Engine, function: Function, registers: list[Value]) -> Iterator[None]:
-    """A constructor of a base may call what the class that derives from it has (`static_cast<Derived &>(*this).topic()`)."""
+    """A constructor of a base may call what the class that derives from it has (`static_cast<Derived &>(*this).topic()`), or another base."""
     constructing = linked(machine).constructing
     this = registers[0] if constructing and is_member(function) else None
     if not isinstance(this, Ref):
@@ -228,7 +228,7 @@ def _seen_as(machine: Engine, function: Function, registers: list[Value]) -> Ite
     cls = next((cls for address, cls in reversed(constructing) if address == this.address), None)
     info = linked(machine).info(function.module)
     own = info.cls if info is not None else None
-    if cls is None or own is None or own in cls.mro or cls not in own.mro:
+    if cls is None or own is None or own in cls.mro or not (cls in own.mro or _is_beside(machine, this, own)):
         yield
         return
     constructing.append((this.address, own))
@@ -236,6 +236,12 @@ def _seen_as(machine: Engine, function: Function, registers: list[Value]) -> Ite
         yield
     finally:
         constructing.pop()
+
+
+def _is_beside(machine: Engine, this: Ref, own: Class) -> bool:
+    """Whether a class is a base of an object, beside the one that is being made."""
+    whole = machine.obj(this).cls
+    return isinstance(whole, Class) and own in whole.mro
 
 
 def _fresh(machine: Engine, value: Value) -> Value:

@@ -26,6 +26,7 @@ from rosward.engine.cpp.constructors import (
     constructors,
     inherited_constructors,
     inheriting,
+    is_copy,
     is_copying,
     takes,
     takes_list,
@@ -56,7 +57,6 @@ __all__ = [
     "DESIGNATED",
     "construct_in_place",
     "field_default",
-    "is_one",
     "is_type",
     "make",
     "make_of_anything",
@@ -166,7 +166,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         and form == "brace"
         and not _is_list(args)
         and takes_list(machine, info)
-        and not _is_one_of(machine, args, cls)
+        and not is_copy(machine, info, args)
     ):
         args = (Tuple(args),)
     of_functions = visitors.visitor(machine, info, args)
@@ -174,7 +174,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         return of_functions
     if info.open:
         cls, info = closed(machine, cls, info, args)
-    if _is_one_of(machine, args, cls) and not copies(machine, info):
+    if is_copy(machine, info, args) and not copies(machine, info):
         if not is_copied(machine, cls) and all(
             isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))
         ):
@@ -188,11 +188,6 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         return UNBOUND
     handing.watch(machine, cls, ref)
     return ref
-
-
-def _is_one_of(machine: Engine, args: tuple[Value, ...], cls: Class) -> bool:
-    """Whether nothing is given but an object of the class: it is copied."""
-    return len(args) == 1 and is_one(machine, args[0], cls)
 
 
 def make_of_anything(machine: Engine, cls: Class, keywords: Mapping[str, Value]) -> Value:
@@ -216,12 +211,6 @@ def make_of_anything(machine: Engine, cls: Class, keywords: Mapping[str, Value])
     return each_apart(machine, [function_of(machine, s, info.env) for s in own], one)
 
 
-def is_one(machine: Engine, value: Value, cls: Class) -> bool:
-    """Whether a value is an object of a class, or of one that derives from it."""
-    found = options(read(machine, value))
-    return all(isinstance(o, Ref) and isinstance(c := machine.obj(o).cls, Class) and cls in c.mro for o in found)
-
-
 @contextmanager
 def _as_class(machine: Engine, ref: Ref, cls: Class) -> Iterator[None]:
     """While a constructor runs, the object is of its class."""
@@ -236,7 +225,7 @@ def _as_class(machine: Engine, ref: Ref, cls: Class) -> Iterator[None]:
 def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
     """Run the constructor of a class on an object; False where it never ends."""
     assert info.cls is not None
-    if _is_one_of(machine, args, info.cls) and not copies(machine, info):
+    if is_copy(machine, info, args) and not copies(machine, info):
         _take_over(machine, ref, info.cls, args[0])
         return True
     is_delegated = linked(machine).constructing[-1:] == [(ref.address, info.cls)]
