@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
 from rosward.domain.slots import Overloads, Pointer, TypeOf, is_char_text
-from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.domain.values import NONE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine.cpp.convertible import NUMBERS, TEXTS, converts, is_convertible
 from rosward.engine.cpp.enumerations import enumeration_of, is_enumeration
 from rosward.engine.cpp.linked import linked
@@ -62,10 +62,22 @@ def fit(machine: Engine, value: Value, type_: Value) -> int:
     if isinstance(value, (Const, Text, Unknown)):
         return _plain(machine, value, type_, name, target)
     if isinstance(value, Tuple):
-        return NEVER if len(value.items) > 1 and (name == "pointer" or _is_of_one(name, value)) else CONVERTED
+        return _braces(machine, value, type_, name)
     if isinstance(value, Ref):
         return fit_object(machine, machine.obj(value).cls, type_, name)
     return CONVERTED if type_ != value else EXACT
+
+
+def _braces(machine: Engine, value: Tuple, type_: Value, name: str) -> int:
+    """How well what stands in braces fits a type: rather a list of such elements than what is made of one."""
+    if len(value.items) > 1 and (name == "pointer" or _is_of_one(name, value)):
+        return NEVER
+    element = argument(type_, 0) if name in _LISTS else NONE
+    if element == NONE:
+        return CONVERTED
+    if any(fit(machine, each, element) == NEVER for each in value.items):
+        return NEVER
+    return TEMPLATE if name == "std.initializer_list" else CONVERTED
 
 
 def _is_of_one(name: str, value: Tuple) -> bool:
@@ -73,6 +85,7 @@ def _is_of_one(name: str, value: Tuple) -> bool:
     return name in _INTEGERS | _FLOATS | {"bool"} or (name in TEXTS and all(map(is_char_text, value.items)))
 
 
+_LISTS: Final = frozenset({"std.deque", "std.initializer_list", "std.list", "std.set", "std.vector"})
 _TRUTHS: Final = frozenset({"bool", "nullptr", "std.nullptr_t", "void"})
 _EMPTY: Final = frozenset({"function", "std.function"})
 """Types that are made of the null pointer, beside pointers."""

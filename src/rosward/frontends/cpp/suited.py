@@ -27,6 +27,7 @@ using Ts::operator()...;                 using Ts::operator()   ;
 o.operator()(1), p->A::operator=(a)      o.operato$LR(1), p->A::operato$E(a)
 using std::sin, std::cos;                using std::sin;using  std::cos;
 virtual void stop() const {};            virtual void stop() const {}
+Box(const char *) -> Box<std::string>;   nothing
 {[&key = key](int i) {}}                 {[&key      ](int i) {}}
 template class Tree<Node>;               nothing: it runs nothing
 extern template int sum<int>(int);       the same
@@ -112,6 +113,10 @@ _EMPTY: Final = re.compile(
     r"(?:\s*(?:const|volatile|noexcept|override|final|&{1,2}))*(?:\s*->\s*[\w:<>&*, ]{1,200})?\s*\{\s*\}\s*);"
 )
 """A member function with an empty body, and a needless semicolon: with that the grammar takes it for a declaration."""
+_GUIDE: Final = re.compile(
+    r"(?<=[;}])\s*(?:explicit\s+)?\b([A-Za-z_]\w*)\s*\([^;{}]{0,500}\)\s*->\s*\1\s*<[^;{}]{1,500}>\s*;"
+)
+"""A deduction guide that is no template: what it says follows from the constructors, mostly."""
 _CAPTURED: Final = re.compile(r"(?<=[\[,])(\s*&\s*)(\w+)(\s*=\s*\2\s*)(?=[,\]])")
 """A reference to a variable of the same name: in braces the grammar takes `[&key = key]` for a designator."""
 
@@ -166,6 +171,8 @@ def suited(text: str) -> str:
     variables: dict[str, bool] = {}
     text = _DIRECT.sub(lambda found: _initialised(found, variables), text)
     text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", _TABLE.sub(r"\1 ", text))
+    if "->" in text:
+        text = _GUIDE.sub(_blank, text)
     text = _CAPTURED.sub(lambda found: f"{found[1]}{found[2]}{blank(found[3])}", _EMPTY.sub(r"\1 ", text))
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)

@@ -280,7 +280,7 @@ def _either(body: Body, node: Node, listed: Node | None, want: Want) -> int:
     inner = listed.named_children if listed is not None else []
     how: Want = "value" if want == "effect" else want
     if not inner:
-        return body.unknown(node, "syntax")
+        return body.unknown(node, "macro", "a macro of which only the build knows the value")
 
     def of(position: int) -> int:
         if position + 1 == len(inner):
