@@ -71,6 +71,9 @@ def invoke(
     if isinstance(function, Slot):
         function = read(machine, function)
     if isinstance(function, Function):
+        overridden = _overridden(machine, function, args) if args and is_member(function) else []
+        if overridden:
+            return each_apart(machine, overridden, lambda each: invoke(machine, each, args[1:], types, keywords))
         return call_function(machine, function, args, keywords, types)
     if isinstance(function, Overloads):
         return _of_several(machine, function, args, types or function.types, keywords)
@@ -117,7 +120,7 @@ def _of_several(
     if several.receiver is None and functions:
         functions = _without_object(machine, functions, args)
     if several.receiver is None and functions and _leads(functions[0]):  # a member function without its object
-        overridden = _overridden(machine, several, args)
+        overridden = _overridden(machine, functions[0], args)
         if overridden:
             return each_apart(machine, overridden, lambda each: invoke(machine, each, args[1:], types, keywords))
         given = args[1:]
@@ -178,13 +181,13 @@ def _of_using(machine: Engine, several: Overloads) -> Value | None:
     return next((each for each in named if isinstance(each, External)), None)
 
 
-def _overridden(machine: Engine, several: Overloads, args: Arguments) -> list[Value]:
+def _overridden(machine: Engine, function: Function, args: Arguments) -> list[Value]:
     """What a pointer to a virtual member function calls: that of the class of each object. Empty where it is not virtual."""
-    info = linked(machine).info(several.functions[0].module)
-    if info is None or not args or not members.is_virtual(machine, info, several.name):
+    info, name = linked(machine).info(function.module), function.code.name
+    if info is None or not args or not members.is_virtual(machine, info, name):
         return []
     held = [o.target if isinstance(o, Pointer) else o for o in options(read(machine, args[0]))]
-    objects = [members.member(machine, o, several.name) for o in held if isinstance(o, Ref)]
+    objects = [members.member(machine, o, name) for o in held if isinstance(o, Ref)]
     found: list[Value] = [m for m in objects if isinstance(m, Overloads) and m.receiver is not None]
     return found if len(found) == len(held) else []
 
