@@ -71,10 +71,7 @@ def invoke(
     if isinstance(function, Slot):
         function = read(machine, function)
     if isinstance(function, Function):
-        overridden = _overridden(machine, function, args) if args and is_member(function) else []
-        if overridden:
-            return each_apart(machine, overridden, lambda each: invoke(machine, each, args[1:], types, keywords))
-        return call_function(machine, function, args, keywords, types)
+        return _of_one(machine, function, args, types, keywords)
     if isinstance(function, Overloads):
         return _of_several(machine, function, args, types or function.types, keywords)
     if isinstance(function, BoundMethod):
@@ -110,6 +107,15 @@ def invoke(
         if isinstance(operator, Overloads):
             return invoke(machine, operator, args, types, keywords)
     return unknown_call(machine, function, args, types)
+
+
+def _of_one(
+    machine: Engine, function: Function, args: Arguments, types: Arguments, keywords: Mapping[str, Value]
+) -> Value:
+    overridden = _overridden(machine, function, args) if args and is_member(function) else []
+    if overridden:
+        return each_apart(machine, overridden, lambda each: invoke(machine, each, args[1:], types, keywords))
+    return call_function(machine, function, args, keywords, types)
 
 
 def _of_several(
