@@ -34,6 +34,7 @@ from rosward.engine.cpp.fit import (
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.special import mentions, most_special
+from rosward.engine.cpp.static_types import number_at
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, is_pointer_pattern, pointee, type_of
 from rosward.ir.arithmetic import SMALL, same_type
@@ -55,7 +56,7 @@ def choose(
     if len(by_number) <= 1:
         return by_number or list(functions[:1])
     values = [read(machine, a) for a in args]
-    numbers, cast = numbers_written(machine, args), cast_to(machine, args)
+    numbers, cast = _numbers(machine, args), cast_to(machine, args)
     scores: list[tuple[Function, tuple[int, ...]]] = []
     for function in by_number:
         if (score := _score(machine, function, values, types, numbers, cast)) is not None:
@@ -70,6 +71,16 @@ def choose(
     if any(isinstance(o, Unknown) for v in values for o in options(v)):
         return best
     return _versions(machine, most_special(machine, best, values))
+
+
+def _numbers(machine: Engine, args: tuple[Value, ...]) -> tuple[str, ...]:
+    """The types of numbers that the arguments are written or declared with; none where there are none."""
+    written = numbers_written(machine, args)
+    declared = [number_at(machine, a) for a in args]
+    if all(each is None for each in declared):
+        return written
+    names = ["" if each is None else same_type(dotted(each).removeprefix("std.")) for each in declared]
+    return tuple(w or n for w, n in zip(written or [""] * len(names), names, strict=True))
 
 
 def fitting(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]) -> list[Function]:
