@@ -22,7 +22,6 @@ from rosward.analysis.summary import Creation, creations_of
 from rosward.findings import Finding, Findings
 from rosward.ir.program import Module, OpKey
 from rosward.location import Place
-from rosward.models.cpp.facts import GENERIC
 from rosward.models.facts import LibraryFacts
 
 
@@ -36,14 +35,13 @@ def unreached_of(
 ) -> list[Finding]:
     """What `unreached` finds, and the same of the programs that are linked."""
     found = unreached(seen, modules, facts, sources.created)
-    creating = facts.creating | GENERIC
     names = dict.fromkeys((each.program for each in seen if each.program), False)
     if everywhere:
-        names |= {each.name: each.loadable for each in sources.unlinked(creating) if each.name not in names}
+        names |= {each.name: each.loadable for each in sources.unlinked(facts.creating) if each.name not in names}
     if names:
         from rosward.analysis.unreached_linked import unreached_linked
 
-        functions = partial(sources.creating_functions, creating)
+        functions = partial(sources.creating_functions, facts.creating)
         found += unreached_linked(seen, names, functions, everywhere=everywhere)
     return found
 

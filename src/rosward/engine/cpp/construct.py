@@ -80,7 +80,15 @@ def is_type(machine: Engine, value: Value) -> bool:
     if shape_of(value) is not Shape.OTHER or is_enumeration(machine, value):
         return True
     name = dotted(value)
-    return ("." not in name and isinstance(value, TypeOf)) or machine.library.native(f"{name}.new") is not None
+    return (isinstance(value, TypeOf) and _is_own(value)) or machine.library.native(f"{name}.new") is not None
+
+
+_WRITTEN: Final = frozenset({"array", "const", "function", "pointer", "reference", "rvalue", "volatile"})
+
+
+def _is_own(type_: TypeOf) -> bool:
+    """Whether a type is one of the language, not a template that nothing declares (`Box<A>`, which may be a function)."""
+    return "." not in type_.name and (not type_.arguments or type_.name in _WRITTEN)
 
 
 def _is_node(machine: Engine, value: Value) -> bool:
@@ -106,7 +114,8 @@ def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Va
         if len(args) == 1:
             args = (as_wanted(machine, args[0], type_),)
         return run_native(machine, native, f"{name}.new", (type_, *args), {"form": Const(form)})
-    if isinstance(type_, External) and "." not in name and any(_is_node(machine, arg) for arg in args):
+    is_foreign = isinstance(type_, External) or (isinstance(type_, TypeOf) and not _is_own(type_))
+    if is_foreign and "." not in name and any(_is_node(machine, arg) for arg in args):
         handing.give_to(machine, args, type_)  # a class of another library, no number
     if pointee(type_) is not None or shape_of(type_) is not Shape.OTHER or "." not in name:
         if not args or (len(args) == 1 and args[0] == Tuple(())):

@@ -22,7 +22,6 @@ from rosward.engine.sources.remembered import Memory, memory_here
 from rosward.findings import Findings
 from rosward.ir import ops
 from rosward.ir.program import MODEL_PREFIX, Module
-from rosward.models.cpp.facts import GENERIC
 from rosward.models.interfaces import message_name
 from rosward.models.native import NativeFunction
 from rosward.models.tables import Models
@@ -61,7 +60,7 @@ class Library:
         self.at = self._models.at
         self.ground = self._models.ground
         self.facts = self._models.facts
-        self.creating = self.facts.creating | GENERIC
+        self.creating = self.facts.creating
         self.marks = self._models.marks
         self._natives = models.natives
         self._further: dict[str, NativeFunction] = {}

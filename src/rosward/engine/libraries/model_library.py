@@ -31,7 +31,6 @@ from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import MODEL_PREFIX, Module
 from rosward.location import Place
-from rosward.models.cpp.facts import GENERIC
 from rosward.models.facts import LibraryFacts, marked
 from rosward.models.native import NativeFunction
 from rosward.models.stub_marks import StubMarks, wrong_marks
@@ -97,7 +96,7 @@ class ModelLibrary:
         self.facts: LibraryFacts = models.facts
         for folder in folders:
             self.facts = self.facts.joined(marked(folder))
-        self.creating = self.facts.creating | GENERIC
+        self.creating = self.facts.creating
         self._natives = models.natives
         self._folders = folders
         self._stubs = StubFiles(folders, net=net)
