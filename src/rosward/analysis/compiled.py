@@ -31,6 +31,7 @@ from rosward.frontends.cpp.preprocess import Preprocessor
 from rosward.frontends.cpp.program import Linked, SymbolStore
 from rosward.guard import guarded
 from rosward.location import Place
+from rosward.models.cpp.facts import GENERIC
 from rosward.records import NamedTuple
 from rosward.source import disk
 from rosward.source.cmake.programs import Builds, Program, Unit
@@ -130,7 +131,7 @@ class Compiled:
         if program is None:
             return known or {}
         files = [f for f in program.files if not f.text.startswith(PREFIX) and wanted(f.text)]
-        found = {file.text: creating_functions(program, file, creating) for file in files}
+        found = {file.text: creating_functions(program, file, creating | GENERIC) for file in files}
         linked = self._linked[name]
         self._linked[name] = linked._replace(functions={**linked.functions, **found})
         return found
@@ -146,7 +147,9 @@ class Compiled:
         taken |= described if loads else set()
         known = {file for name in self._planned if name in programs for file in programs[name].lines}
         found = guarded(
-            lambda: unlinked_libraries(self._workspace, self._builds, taken, self._headers, creating, described, known),
+            lambda: unlinked_libraries(
+                self._workspace, self._builds, taken, self._headers, creating | GENERIC, described, known
+            ),
             Place(""),
             "libraries in C++ are not looked at",
             net=self._net,

@@ -23,9 +23,25 @@ __all__ = ["CREATORS", "NODES", "LinkedCreation", "LinkedFunction", "creating_fu
 
 
 CREATORS: Final = frozenset(
-    {"TransformBroadcaster", "StaticTransformBroadcaster", "TransformListener", "Subscriber", "create_server"}
+    {
+        *("TransformBroadcaster", "StaticTransformBroadcaster", "TransformListener", "Subscriber", "create_server"),
+        *("ImageTransport", "SubscriberFilter", "create_camera_publisher", "create_camera_subscription"),
+        *(
+            "AsyncParametersClient",
+            "SyncParametersClient",
+            "ParameterEventHandler",
+            "InteractiveMarkerServer",
+            "Updater",
+        ),
+        *("CameraInfoManager", "ServiceClient", "SimpleActionServer", "OdomSmoother", "Bond"),
+    }
 )
-_LIBRARIES: Final = frozenset({"tf2_ros", "message_filters", "rclcpp_action"})
+_LIBRARIES: Final = frozenset(
+    {
+        *("tf2_ros", "message_filters", "rclcpp", "rclcpp_action", "image_transport", "interactive_markers"),
+        *("diagnostic_updater", "camera_info_manager", "nav2_util", "bond"),
+    }
+)
 """Classes and functions that create entities on a node that they are given, and the name spaces in which they are."""
 NODES: Final = r"Node\s*::\s*make_shared|make_(?:shared|unique)\s*<\s*(?:\w+\s*::\s*)*(?:Lifecycle)?Node\s*>"
 """How the text of a source looks that makes a node."""

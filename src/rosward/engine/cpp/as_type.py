@@ -14,8 +14,8 @@ from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Unknown, Value
-from rosward.engine.cpp.construct import is_one, make
-from rosward.engine.cpp.constructors import constructors, least
+from rosward.engine.cpp.construct import make
+from rosward.engine.cpp.constructors import constructors, is_one, least
 from rosward.engine.cpp.converting import as_value, buffer, by_operator, cast, derives, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import linked

@@ -20,7 +20,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.engine.cpp import as_type, calls, construct, endings, members, names
 from rosward.engine.cpp.categories import cast_to
-from rosward.engine.cpp.constructors import constructors, is_copying
+from rosward.engine.cpp.constructors import constructors, is_copying, is_one
 from rosward.engine.cpp.converting import by_operator
 from rosward.engine.cpp.enumerations import enumeration_of
 from rosward.engine.cpp.handing import decayed
@@ -212,7 +212,7 @@ def _says_itself(machine: Engine, slot: Value, src: Value) -> bool:
     info = linked(machine).info(machine.obj(slot).cls) if isinstance(slot, Ref) else None
     if info is None or info.cls is None or not linked(machine).members(info, "operator="):
         return False
-    return ASSIGN in record(machine, info.cls.address).attrs or not construct.is_one(machine, src, info.cls)
+    return ASSIGN in record(machine, info.cls.address).attrs or not is_one(machine, src, info.cls)
 
 
 def _part(machine: Engine, ref: Ref, src: Value) -> Value | None:

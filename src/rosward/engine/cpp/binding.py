@@ -18,15 +18,18 @@ from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
-from rosward.engine.cpp.categories import cast_to
+from rosward.engine.cpp.categories import cast_to, numbers_written
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.handing import is_member, objects_of
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
+from rosward.engine.cpp.static_types import number_at
 from rosward.engine.cpp.types import is_message, is_pointer_pattern, match, pointee, type_of
 from rosward.ir.symbols import ParameterSymbol, Signature, TypePattern
+from rosward.models.cpp.values.conversions import convert
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.typed import Declared, typed
+from rosward.models.cpp.values.types import Shape, shape_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -36,6 +39,7 @@ if TYPE_CHECKING:
 __all__ = ["bind", "deduce", "instance"]
 
 _NO_SIGNATURE: Final = Signature()
+_NUMBERS: Final = frozenset({Shape.FLOAT, Shape.INT})
 
 
 def bind(
@@ -64,11 +68,35 @@ def bind(
         if parameter.pack:
             registers.append(Tuple(given[index:]))
         elif index < len(given):
-            registers.append(_fitted(machine, function.code, env, parameter, given[index], bindings))
+            value = (
+                given[index] if not types else _told(machine, signature, len(types), parameter, given[index], bindings)
+            )
+            registers.append(_fitted(machine, function.code, env, parameter, value, bindings))
         else:
             missing = not parameter.default and ANY in keywords
             registers.append(_any(machine, env, parameter, bindings, keywords[ANY]) if missing else UNBOUND)
     return registers
+
+
+def _told(
+    machine: Engine,
+    signature: Signature,
+    explicit: int,
+    parameter: ParameterSymbol,
+    value: Value,
+    bindings: Mapping[str, Value],
+) -> Value:
+    """A number for a parameter of a type that the call says: `half<double>(3)`. What a call does not say is that of the argument."""
+    pattern = parameter.type
+    told = {p.name for p in signature.template[:explicit]}
+    if len(pattern.names) != 1 or pattern.names[0] not in told or pattern.pointers:
+        return value
+    held, type_ = read(machine, value), bindings[pattern.names[0]]
+    if not isinstance(held, Const) or not isinstance(held.value, int | float) or shape_of(type_) not in _NUMBERS:
+        return value
+    is_other = isinstance(held.value, float) is not (shape_of(type_) is Shape.FLOAT)
+    is_new = not pattern.reference or (pattern.const and is_other)
+    return convert(machine, held, type_) if is_new else value
 
 
 def instance(frame: Frame) -> tuple[object, ...]:
@@ -89,7 +117,7 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
     bindings: dict[str, Value] = {}
     if not wanted:
         return bindings
-    cast = cast_to(machine, given)
+    cast, numbers = cast_to(machine, given), numbers_written(machine, given)
     for index, parameter in enumerate(signature.parameters):
         pattern = parameter.type
         if parameter.pack:
@@ -104,6 +132,8 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
             bindings |= _of_array(machine, pattern, given[index], wanted)
         elif index < len(given) and (pattern.names or pattern.pointers or pattern.arguments):
             seen = cast[index] if cast and not pattern.pointers else None
+            if seen is None and not pattern.pointers:
+                seen = TypeOf(numbers[index], ()) if numbers and numbers[index] else number_at(machine, given[index])
             match(machine, pattern, type_of(machine, given[index]) if seen is None else seen, wanted, bindings)
             for name in _packs(pattern):  # it is none of nothing: `std::integer_sequence<T, Ns...>` of something else
                 if name in wanted and name not in bindings:

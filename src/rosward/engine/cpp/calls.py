@@ -71,7 +71,7 @@ def invoke(
     if isinstance(function, Slot):
         function = read(machine, function)
     if isinstance(function, Function):
-        return call_function(machine, function, args, keywords, types)
+        return _of_one(machine, function, args, types, keywords)
     if isinstance(function, Overloads):
         return _of_several(machine, function, args, types or function.types, keywords)
     if isinstance(function, BoundMethod):
@@ -109,6 +109,15 @@ def invoke(
     return unknown_call(machine, function, args, types)
 
 
+def _of_one(
+    machine: Engine, function: Function, args: Arguments, types: Arguments, keywords: Mapping[str, Value]
+) -> Value:
+    overridden = _overridden(machine, function, args) if args and is_member(function) else []
+    if overridden:
+        return each_apart(machine, overridden, lambda each: invoke(machine, each, args[1:], types, keywords))
+    return call_function(machine, function, args, keywords, types)
+
+
 def _of_several(
     machine: Engine, several: Overloads, args: Arguments, types: Arguments, keywords: Mapping[str, Value]
 ) -> Value:
@@ -117,7 +126,7 @@ def _of_several(
     if several.receiver is None and functions:
         functions = _without_object(machine, functions, args)
     if several.receiver is None and functions and _leads(functions[0]):  # a member function without its object
-        overridden = _overridden(machine, several, args)
+        overridden = _overridden(machine, functions[0], args)
         if overridden:
             return each_apart(machine, overridden, lambda each: invoke(machine, each, args[1:], types, keywords))
         given = args[1:]
@@ -178,13 +187,13 @@ def _of_using(machine: Engine, several: Overloads) -> Value | None:
     return next((each for each in named if isinstance(each, External)), None)
 
 
-def _overridden(machine: Engine, several: Overloads, args: Arguments) -> list[Value]:
+def _overridden(machine: Engine, function: Function, args: Arguments) -> list[Value]:
     """What a pointer to a virtual member function calls: that of the class of each object. Empty where it is not virtual."""
-    info = linked(machine).info(several.functions[0].module)
-    if info is None or not args or not members.is_virtual(machine, info, several.name):
+    info, name = linked(machine).info(function.module), function.code.name
+    if info is None or not args or not members.is_virtual(machine, info, name):
         return []
     held = [o.target if isinstance(o, Pointer) else o for o in options(read(machine, args[0]))]
-    objects = [members.member(machine, o, several.name) for o in held if isinstance(o, Ref)]
+    objects = [members.member(machine, o, name) for o in held if isinstance(o, Ref)]
     found: list[Value] = [m for m in objects if isinstance(m, Overloads) and m.receiver is not None]
     return found if len(found) == len(held) else []
 
@@ -219,7 +228,7 @@ def call_function(
 
 @contextmanager
 def _seen_as(machine: Engine, function: Function, registers: list[Value]) -> Iterator[None]:
-    """A constructor of a base may call what the class that derives from it has (`static_cast<Derived &>(*this).topic()`)."""
+    """A constructor of a base may call what the class that derives from it has (`static_cast<Derived &>(*this).topic()`), or another base."""
     constructing = linked(machine).constructing
     this = registers[0] if constructing and is_member(function) else None
     if not isinstance(this, Ref):
@@ -228,7 +237,7 @@ def _seen_as(machine: Engine, function: Function, registers: list[Value]) -> Ite
     cls = next((cls for address, cls in reversed(constructing) if address == this.address), None)
     info = linked(machine).info(function.module)
     own = info.cls if info is not None else None
-    if cls is None or own is None or own in cls.mro or cls not in own.mro:
+    if cls is None or own is None or own in cls.mro or not (cls in own.mro or _is_beside(machine, this, own)):
         yield
         return
     constructing.append((this.address, own))
@@ -236,6 +245,12 @@ def _seen_as(machine: Engine, function: Function, registers: list[Value]) -> Ite
         yield
     finally:
         constructing.pop()
+
+
+def _is_beside(machine: Engine, this: Ref, own: Class) -> bool:
+    """Whether a class is a base of an object, beside the one that is being made."""
+    whole = machine.obj(this).cls
+    return isinstance(whole, Class) and own in whole.mro
 
 
 def _fresh(machine: Engine, value: Value) -> Value:

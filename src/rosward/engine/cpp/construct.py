@@ -26,6 +26,7 @@ from rosward.engine.cpp.constructors import (
     constructors,
     inherited_constructors,
     inheriting,
+    is_copy,
     is_copying,
     takes,
     takes_list,
@@ -56,7 +57,6 @@ __all__ = [
     "DESIGNATED",
     "construct_in_place",
     "field_default",
-    "is_one",
     "is_type",
     "make",
     "make_of_anything",
@@ -80,7 +80,15 @@ def is_type(machine: Engine, value: Value) -> bool:
     if shape_of(value) is not Shape.OTHER or is_enumeration(machine, value):
         return True
     name = dotted(value)
-    return ("." not in name and isinstance(value, TypeOf)) or machine.library.native(f"{name}.new") is not None
+    return (isinstance(value, TypeOf) and _is_own(value)) or machine.library.native(f"{name}.new") is not None
+
+
+_WRITTEN: Final = frozenset({"array", "const", "function", "pointer", "reference", "rvalue", "volatile"})
+
+
+def _is_own(type_: TypeOf) -> bool:
+    """Whether a type is one of the language, not a template that nothing declares (`Box<A>`, which may be a function)."""
+    return "." not in type_.name and (not type_.arguments or type_.name in _WRITTEN)
 
 
 def _is_node(machine: Engine, value: Value) -> bool:
@@ -106,7 +114,8 @@ def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Va
         if len(args) == 1:
             args = (as_wanted(machine, args[0], type_),)
         return run_native(machine, native, f"{name}.new", (type_, *args), {"form": Const(form)})
-    if isinstance(type_, External) and "." not in name and any(_is_node(machine, arg) for arg in args):
+    is_foreign = isinstance(type_, External) or (isinstance(type_, TypeOf) and not _is_own(type_))
+    if is_foreign and "." not in name and any(_is_node(machine, arg) for arg in args):
         handing.give_to(machine, args, type_)  # a class of another library, no number
     if pointee(type_) is not None or shape_of(type_) is not Shape.OTHER or "." not in name:
         if not args or (len(args) == 1 and args[0] == Tuple(())):
@@ -166,7 +175,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         and form == "brace"
         and not _is_list(args)
         and takes_list(machine, info)
-        and not _is_one_of(machine, args, cls)
+        and not is_copy(machine, info, args)
     ):
         args = (Tuple(args),)
     args = by_operators(machine, args, cls)
@@ -175,7 +184,7 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         return of_functions
     if info.open:
         cls, info = closed(machine, cls, info, args)
-    if _is_one_of(machine, args, cls) and not copies(machine, info):
+    if is_copy(machine, info, args) and not copies(machine, info):
         if not is_copied(machine, cls) and all(
             isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))
         ):
@@ -189,11 +198,6 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         return UNBOUND
     handing.watch(machine, cls, ref)
     return ref
-
-
-def _is_one_of(machine: Engine, args: tuple[Value, ...], cls: Class) -> bool:
-    """Whether nothing is given but an object of the class: it is copied."""
-    return len(args) == 1 and is_one(machine, args[0], cls)
 
 
 def make_of_anything(machine: Engine, cls: Class, keywords: Mapping[str, Value]) -> Value:
@@ -217,12 +221,6 @@ def make_of_anything(machine: Engine, cls: Class, keywords: Mapping[str, Value])
     return each_apart(machine, [function_of(machine, s, info.env) for s in own], one)
 
 
-def is_one(machine: Engine, value: Value, cls: Class) -> bool:
-    """Whether a value is an object of a class, or of one that derives from it."""
-    found = options(read(machine, value))
-    return all(isinstance(o, Ref) and isinstance(c := machine.obj(o).cls, Class) and cls in c.mro for o in found)
-
-
 @contextmanager
 def _as_class(machine: Engine, ref: Ref, cls: Class) -> Iterator[None]:
     """While a constructor runs, the object is of its class."""
@@ -237,7 +235,7 @@ def _as_class(machine: Engine, ref: Ref, cls: Class) -> Iterator[None]:
 def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
     """Run the constructor of a class on an object; False where it never ends."""
     assert info.cls is not None
-    if _is_one_of(machine, args, info.cls) and not copies(machine, info):
+    if is_copy(machine, info, args) and not copies(machine, info):
         _take_over(machine, ref, info.cls, args[0])
         return True
     is_delegated = linked(machine).constructing[-1:] == [(ref.address, info.cls)]

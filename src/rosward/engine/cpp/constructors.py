@@ -5,13 +5,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.values import NONE, Class, Function, Value
+from rosward.domain.choice import options
+from rosward.domain.values import NONE, Class, Function, Ref, Value
 from rosward.engine.cpp import names
 from rosward.engine.cpp.binding import deduce
+from rosward.engine.cpp.categories import cast_to
 from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.values import function_of, value_of
 from rosward.ir.symbols import Symbol, SymbolKind
+from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -21,7 +25,9 @@ __all__ = [
     "constructors",
     "inherited_constructors",
     "inheriting",
+    "is_copy",
     "is_copying",
+    "is_one",
     "least",
     "takes",
     "takes_list",
@@ -58,6 +64,38 @@ def is_copying(info: Info, symbol: Symbol) -> bool:
     """Whether a constructor copies or moves an object of its class."""
     first = symbol.parameters[0].type if len(symbol.parameters) == 1 else None
     return first is not None and first.names[-1:] == (info.symbol.name,) and bool(first.reference)
+
+
+def is_one(machine: Engine, value: Value, cls: Class) -> bool:
+    """Whether a value is an object of a class, or of one that derives from it."""
+    found = options(read(machine, value))
+    return all(isinstance(o, Ref) and isinstance(c := machine.obj(o).cls, Class) and cls in c.mro for o in found)
+
+
+def is_copy(machine: Engine, info: Info, args: tuple[Value, ...]) -> bool:
+    """Whether nothing is given but an object of the class, so that it is copied: not by a constructor for what derives from it.
+
+    template<class T> explicit Sensors(T & node);  Crtp(D & self);      class Driver : Crtp<Driver> {Driver() : Crtp(*this) {}}
+    """
+    if len(args) != 1 or info.cls is None or not is_one(machine, args[0], info.cls):
+        return False
+    classes = {machine.obj(o).cls for o in options(read(machine, args[0])) if isinstance(o, Ref)}
+    if info.cls in classes or cast_to(machine, args):
+        return True
+    return not any(_takes_derived(machine, info, symbol) for symbol in constructors(machine, info))
+
+
+def _takes_derived(machine: Engine, info: Info, symbol: Symbol) -> bool:
+    """Whether a constructor takes an object of a class that derives from its own, as what it is."""
+    if least(symbol) > 1 or not symbol.parameters:
+        return False
+    pattern = symbol.parameters[0].type
+    if len(pattern.names) == 1 and any(p.name == pattern.names[0] for p in symbol.template or ()):
+        return not pattern.pointers
+    type_ = type_of_pattern(machine, info.env, pattern)
+    derived = linked(machine).info(type_) if isinstance(type_, Class) else None
+    cls = derived.cls if derived is not None else None  # what is named in its own bases is not whole
+    return cls is not None and cls != info.cls and info.cls in cls.mro
 
 
 def inheriting(machine: Engine, info: Info) -> list[Info]:

@@ -12,11 +12,11 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.compound import External, Native, Partial, Tuple
 from rosward.domain.heap import KIND
 from rosward.domain.slots import Overloads, Slot, TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Function, Ref, Unknown, Value
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import access, assigning, assumed_nodes, calls, endings, members, names, operators
 from rosward.engine.cpp.categories import for_object
@@ -149,6 +149,10 @@ def _of_one(
         if isinstance(function, Overloads):
             function = for_object(function, constant=constant, is_new=is_new)
         return calls.invoke(machine, access.value(machine, function), args, types)
+    if (
+        types and name == "operator()" and isinstance(value, (Function, Partial))
+    ):  # `build.template operator()<Lidar>()`
+        return calls.invoke(machine, value, args, types)
     for type_name in method_types(machine, value):
         native = machine.library.native(f"{type_name}.{name}")
         if native is not None:

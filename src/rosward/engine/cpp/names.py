@@ -363,6 +363,13 @@ def _external(before: str, part: Part) -> Value:
     return External(name) if part.types is None else TypeOf(name, part.types)
 
 
+def _may_have(space: str, name: str) -> bool:
+    """Whether a namespace of a library may have a name: that of interfaces has `msg`, `srv` and `action` alone, and these have types alone."""
+    if space.endswith((".msg", ".srv", ".action")):
+        return name[:1].isupper()
+    return not space.endswith(("_msgs", "_srvs", "_interfaces"))
+
+
 def _library(machine: Engine, env: ModuleValue, name: str, using: tuple[Scope, ...]) -> str:
     """The namespace of a library that an unknown name may belong to, of those that are used; '' where none is the only one."""
     candidates = list(dict.fromkeys(_used_libraries(machine, env, using)))
@@ -370,9 +377,7 @@ def _library(machine: Engine, env: ModuleValue, name: str, using: tuple[Scope, .
     known = [c for c in candidates if native(f"{c}.{name}") or native(f"{c}.{name}.new")]
     if known or native(name):  # a macro of a library is in no namespace
         return known[0] if known else ""
-    others = [
-        c for c in candidates if not c.startswith("std.")
-    ]  # namespaces of literals and placeholders have nothing else
+    others = [c for c in candidates if not c.startswith("std.") and _may_have(c, name)]
     return others[0] if len(others) == 1 else ""
 
 

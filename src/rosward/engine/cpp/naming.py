@@ -20,12 +20,13 @@ from rosward.engine.running.frame import Frame
 from rosward.ir import cpp, ops
 from rosward.ir.cpp_names import CALLED
 from rosward.ir.symbols import SymbolKind
+from rosward.models.cpp.facts import GENERIC
 from rosward.models.cpp.values.traits import NO_TYPE
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["declared_type", "name", "this_of"]
+__all__ = ["declared_type", "name", "note_reached", "this_of"]
 
 
 def name(machine: Engine, op: cpp.Name, frame: Frame) -> Value:
@@ -42,6 +43,12 @@ def name(machine: Engine, op: cpp.Name, frame: Frame) -> Value:
     else:
         value = found if qualified else _not_declared(machine, frame, found)
     return value if op.slot else access.value(machine, value)
+
+
+def note_reached(machine: Engine, name: str, frame: Frame) -> None:
+    """The operation that runs names a method: it is known to be reached if that creates entities."""
+    if name in machine.library.creating or name in GENERIC:
+        machine.trace.reached.add((frame.code.key, frame.op.number))
 
 
 def _is_absent(machine: Engine, op: cpp.Name, frame: Frame) -> bool:

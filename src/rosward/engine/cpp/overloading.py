@@ -8,42 +8,44 @@ Where the values do not tell, all that fit are meant.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
-from rosward.domain.slots import Overloads, Pointer, TypeOf, is_char_text
-from rosward.domain.values import Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
+from rosward.domain.compound import Tuple
+from rosward.domain.slots import Pointer
+from rosward.domain.values import Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.cpp.binding import deduce
 from rosward.engine.cpp.categories import by_category, cast_to, numbers_written, same_parameters, undominated
 from rosward.engine.cpp.classes import bind_template
-from rosward.engine.cpp.convertible import NUMBERS, TEXTS, converts, is_convertible
-from rosward.engine.cpp.enumerations import enumeration_of, is_enumeration
+from rosward.engine.cpp.convertible import TEXTS
+from rosward.engine.cpp.fit import (
+    CALLABLES,
+    CONVERTED,
+    DEDUCED,
+    EXACT,
+    NEAR,
+    NEVER,
+    TEMPLATE,
+    as_base,
+    fit,
+    fit_object,
+    is_number,
+)
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
+from rosward.engine.cpp.special import mentions, most_special
+from rosward.engine.cpp.static_types import number_at
 from rosward.engine.cpp.thunks import evaluate
-from rosward.engine.cpp.types import CHARACTERS, STRING, dotted, is_pointer_pattern, pointee, type_of
-from rosward.ir.arithmetic import INT, LONG, SMALL, same_type
-from rosward.ir.symbols import ParameterSymbol, Signature
-from rosward.models.cpp.values.number_conversions import OCTETS
+from rosward.engine.cpp.types import dotted, is_pointer_pattern, pointee, type_of
+from rosward.ir.arithmetic import SMALL, same_type
+from rosward.ir.symbols import ParameterSymbol, Signature, TypePattern
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.traits import NO_TYPE
-from rosward.models.cpp.values.types import NOT_OF_ONE, argument
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["choose", "fit", "fitting"]
-
-_EXACT: Final = 5
-_NEAR: Final = 4
-_TEMPLATE: Final = 3
-_STANDARD: Final = 2
-_CONVERTED: Final = 1
-_NEVER: Final = 0
-_INTEGERS: Final = frozenset({"int", "long", "short", "unsigned", "size_t", "char"})
-_FLOATS: Final = frozenset({"float", "double"})
-_CALLABLES: Final = (Function, BoundMethod, Partial, Overloads)
+__all__ = ["choose", "fitting"]
 
 
 def choose(
@@ -54,7 +56,7 @@ def choose(
     if len(by_number) <= 1:
         return by_number or list(functions[:1])
     values = [read(machine, a) for a in args]
-    numbers, cast = numbers_written(machine, args), cast_to(machine, args)
+    numbers, cast = _numbers(machine, args), cast_to(machine, args)
     scores: list[tuple[Function, tuple[int, ...]]] = []
     for function in by_number:
         if (score := _score(machine, function, values, types, numbers, cast)) is not None:
@@ -66,7 +68,19 @@ def choose(
     best = by_category(machine, best, args) if len(best) > 1 else best
     if len(set(map(_is_template, best))) > 1:  # one takes a weak pointer, the other anything
         return [f for f in best if not f.code.is_stub] or best
-    return best if any(isinstance(o, Unknown) for v in values for o in options(v)) else _versions(machine, best)
+    if any(isinstance(o, Unknown) for v in values for o in options(v)):
+        return best
+    return _versions(machine, most_special(machine, best, values))
+
+
+def _numbers(machine: Engine, args: tuple[Value, ...]) -> tuple[str, ...]:
+    """The types of numbers that the arguments are written or declared with; none where there are none."""
+    written = numbers_written(machine, args)
+    declared = [number_at(machine, a) for a in args]
+    if all(each is None for each in declared):
+        return written
+    names = ["" if each is None else same_type(dotted(each).removeprefix("std.")) for each in declared]
+    return tuple(w or n for w, n in zip(written or [""] * len(names), names, strict=True))
 
 
 def fitting(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]) -> list[Function]:
@@ -156,7 +170,7 @@ def _score(
 ) -> tuple[int, ...] | None:
     signature = function.code.signature
     if signature is None:
-        return tuple(_CONVERTED for _ in values)
+        return tuple(CONVERTED for _ in values)
     bindings = dict(zip((p.name for p in signature.template), types, strict=False))
     generic = frozenset(p.name for p in signature.template if p.name not in bindings)
     env = ModuleValue(function.module.address, function.module.name, function.code.file)
@@ -167,24 +181,38 @@ def _score(
             return None
         as_type = cast[index] if cast else None
         points = max(_fits(machine, env, parameter, o, bindings, generic, as_type) for o in options(value))
-        if points == _NEVER:
+        if points == NEVER:
             return None
-        if numbers and numbers[index] and not generic.intersection(parameter.type.names):
-            points = _number(dotted(type_of_pattern(machine, env, parameter.type, bindings)), numbers[index], points)
+        if numbers and numbers[index]:
+            points = _written(machine, env, parameter.type, numbers[index], points, bindings, generic)
         found.append(points)
     if bool(types) != bool(signature.template):  # f<T>(x) means a template
-        found = [min(p, _TEMPLATE) for p in found] if types else found
+        found = [min(p, TEMPLATE) for p in found] if types else found
     return tuple(found)
+
+
+def _written(
+    machine: Engine,
+    env: ModuleValue,
+    pattern: TypePattern,
+    number: str,
+    points: int,
+    bindings: dict[str, Value],
+    generic: frozenset[str],
+) -> int:
+    if generic.intersection(pattern.names):
+        return DEDUCED if pattern.names[0] in generic and not pattern.pointers else points
+    return _number(dotted(type_of_pattern(machine, env, pattern, bindings)), number, points)
 
 
 def _number(name: str, number: str, points: int) -> int:
     """How well a number whose type is written fits a type, which other types of numbers fit so well."""
     type_ = same_type(name.removeprefix("std."))
-    if not _is_number(name):
-        return _NEVER if name in TEXTS else points
+    if not is_number(name):
+        return NEVER if name in TEXTS else points
     if type_ == number:
-        return _EXACT
-    return _NEAR if type_ == ("int" if number in SMALL else "double" if number == "float" else "") else _TEMPLATE
+        return EXACT
+    return NEAR if type_ == ("int" if number in SMALL else "double" if number == "float" else "") else TEMPLATE
 
 
 def _parameter(signature: Signature, index: int) -> ParameterSymbol | None:
@@ -205,8 +233,11 @@ def _fits(
 ) -> int:
     pattern = parameter.type
     if any(n in generic for n in pattern.names):
-        return _TEMPLATE if pattern.names[0] in generic else _CONVERTED
-    if pattern.arguments and any(n in generic for a in pattern.arguments for n in a.names):
+        is_whole = (
+            pattern.names[0] in generic and (not pattern.pointers or bool(pattern.size)) and isinstance(value, Ref)
+        )
+        return DEDUCED if is_whole else TEMPLATE if pattern.names[0] in generic else CONVERTED
+    if any(mentions(a, generic) for a in pattern.arguments):
         return _shaped(
             machine, pattern.names[-1] if pattern.names else "", is_pointer=is_pointer_pattern(pattern), value=value
         )
@@ -221,180 +252,22 @@ def _fit_cast(machine: Engine, value: Value, type_: Value, cast: Value) -> int:
     if not (isinstance(ref, Ref) and isinstance(own, Class) and isinstance(target, Class) and target in own.mro):
         return fit(machine, value, type_)
     if target is cast:
-        return _object(machine, cast, type_, dotted(type_))
+        return fit_object(machine, cast, type_, dotted(type_))
     wanted = pointee(type_)
     if not isinstance(wanted, Class):
         return fit(machine, value, type_)
-    return _EXACT if wanted == target else _NEAR if wanted in target.mro else _NEVER
+    return EXACT if wanted == target else as_base(target, wanted) if wanted in target.mro else NEVER
 
 
 def _shaped(machine: Engine, name: str, *, is_pointer: bool, value: Value) -> int:
     """How a value fits `Box<T>`, of which T is not known: by its name."""
     if isinstance(value, Unknown):
-        return _CONVERTED
+        return CONVERTED
     if is_pointer:
-        return _TEMPLATE if isinstance(value, Pointer) or value == Const(None) else _NEVER
-    if isinstance(value, _CALLABLES):
-        return _TEMPLATE if name == "function" else _NEVER
+        return TEMPLATE if isinstance(value, Pointer) or value == Const(None) else NEVER
+    if isinstance(value, CALLABLES):
+        return TEMPLATE if name == "function" else NEVER
     own = dotted(type_of(machine, value)).rpartition(".")[2]
     if name in (own, f"{own}_"):  # `String_<A>` is what the message String is
-        return _NEAR
-    return _CONVERTED if isinstance(value, Tuple) else _NEVER
-
-
-def fit(machine: Engine, value: Value, type_: Value) -> int:
-    """How well a value fits a type: 0 not at all, 5 exactly."""
-    if isinstance(value, Unknown) and not value.hint:
-        return _CONVERTED
-    name = dotted(type_)
-    target = pointee(type_)
-    if isinstance(type_, Unknown) or name == "auto":
-        return _TEMPLATE
-    if isinstance(value, Pointer) or value == Const(None):
-        is_text = value != Const(None) and type_of(machine, value) == CHARACTERS
-        return _characters(machine, value, type_, name, target) if is_text else _pointer(machine, value, target, name)
-    if isinstance(value, _CALLABLES):
-        return _callable(machine, type_, name)
-    if isinstance(value, (Const, Text, Unknown)):
-        return _plain(machine, value, type_, name, target)
-    if isinstance(value, Tuple):
-        return _NEVER if len(value.items) > 1 and (name == "pointer" or _is_of_one(name, value)) else _CONVERTED
-    if isinstance(value, Ref):
-        return _object(machine, machine.obj(value).cls, type_, name)
-    return _CONVERTED if type_ != value else _EXACT
-
-
-def _is_of_one(name: str, value: Tuple) -> bool:
-    """Whether a type is made of a single value: a string not of several."""
-    return name in _INTEGERS | _FLOATS | {"bool"} or (name in TEXTS and all(map(is_char_text, value.items)))
-
-
-_TRUTHS: Final = frozenset({"bool", "nullptr", "std.nullptr_t", "void"})
-_EMPTY: Final = frozenset({"function", "std.function"})
-"""Types that are made of the null pointer, beside pointers."""
-
-
-def _pointer(machine: Engine, value: Value, target: Value | None, name: str) -> int:
-    if target is None:
-        if value == Const(None) and name in {"nullptr", "std.nullptr_t"}:
-            return _EXACT
-        empty = _EMPTY if value == Const(None) else frozenset[str]()
-        return _CONVERTED if name in _TRUTHS | empty or _is_open(machine, name) else _NEVER
-    if not isinstance(value, Pointer):
-        return _NEAR if name == "pointer" else _CONVERTED
-    cls = type_of(machine, value.target)
-    other = bool(value.owner) is not name.endswith(".shared_ptr") and name in ("pointer", "std.shared_ptr")
-    if cls == target or dotted(target) == "void":
-        # A weak pointer may be made of a shared one: nobody knows which of them the value is.
-        return _TEMPLATE if name.endswith("weak_ptr") or other else _EXACT
-    if isinstance(cls, Class) and isinstance(target, Class):
-        return (
-            (_TEMPLATE if other else _NEAR)
-            if target in cls.mro
-            else _NEVER
-            if linked(machine).info(target)
-            else _CONVERTED
-        )
-    return _CONVERTED
-
-
-def _is_open(machine: Engine, name: str) -> bool:
-    """Whether nothing is known of a type of that name."""
-    return "." in name and not name.startswith("std.") and machine.library.native(f"{name}.new") is None
-
-
-def _callable(machine: Engine, type_: Value, name: str) -> int:
-    if name in {"function", "std.function"}:
-        return _EXACT
-    if name in _INTEGERS | _FLOATS | TEXTS | {"bool"}:
-        return _NEVER
-    if isinstance(type_, Class):
-        return _CONVERTED if converts(machine, type_, TypeOf("function", ())) else _NEVER
-    return _CONVERTED
-
-
-def _plain(machine: Engine, value: Value, type_: Value, name: str, target: Value | None) -> int:
-    if name in NOT_OF_ONE:
-        return _NEVER
-    if name == "std.optional":
-        return min(fit(machine, value, argument(type_, 0)), _CONVERTED)
-    own = type_of(machine, value)
-    if enumeration_of(value):
-        return _enumerator(own, type_, name)
-    if is_char_text(value):
-        return _characters(machine, value, type_, name, target)
-    words = set(name.replace("std.", "").split())
-    if own == STRING:
-        if name in TEXTS:
-            return _EXACT
-        if target is not None and dotted(target) == "char":
-            return _CONVERTED if isinstance(value, Const) else _EXACT
-        if words & _INTEGERS:
-            is_char = isinstance(value, Const) and len(str(value.value)) == 1
-            return _NEVER if not is_char else _EXACT if name == "char" else _TEMPLATE if name == "int" else _STANDARD
-    elif (kind := dotted(own)) in NUMBERS:
-        if name == kind or OCTETS.get(name.removeprefix("std.")) == kind:
-            return _EXACT
-        if kind in OCTETS:
-            return (
-                _NEAR if name == "int" else _TEMPLATE if _is_number(name) else _NEVER if name in TEXTS else _CONVERTED
-            )
-        integer = bool(words & _INTEGERS) or name.endswith("_t")
-        if integer and (kind in (INT, LONG) or (kind == "bool" and name == "int")):
-            return _NEAR
-        if integer or words & _FLOATS or name == "bool":
-            return _TEMPLATE
-        if name in TEXTS:
-            return _NEVER
-    if target is not None or (isinstance(value, Const) and is_enumeration(machine, type_)):
-        return _NEVER
-    if isinstance(type_, Class):
-        return _CONVERTED if converts(machine, type_, own) else _NEVER
-    return _CONVERTED if isinstance(type_, (External, Native)) or name.startswith("std.") else _NEVER
-
-
-def _characters(machine: Engine, value: Value, type_: Value, name: str, target: Value | None) -> int:
-    """A literal: rather a truth than a string, which has to be made of it."""
-    if target is not None:
-        return _EXACT if dotted(target) == "char" else _STANDARD if dotted(target) == "void" else _NEVER
-    if name == "bool":
-        return _STANDARD
-    if _is_number(name) or name in {"char", "float", "double"}:
-        return _NEVER
-    if isinstance(type_, Class):
-        return _CONVERTED if converts(machine, type_, type_of(machine, value)) else _NEVER
-    return _CONVERTED
-
-
-def _enumerator(own: Value, type_: Value, name: str) -> int:
-    """A value of an enumeration is converted to a number, if anything."""
-    if own == type_:
-        return _EXACT
-    if name in TEXTS or (isinstance(type_, (Class, TypeOf)) and not _is_number(name)):
-        return _NEVER
-    return _TEMPLATE if name == "int" else _CONVERTED
-
-
-def _is_number(name: str) -> bool:
-    return bool(set(name.replace("std.", "").split()) & (_INTEGERS | _FLOATS)) or name == "bool" or name.endswith("_t")
-
-
-def _object(machine: Engine, cls: Value, type_: Value, name: str) -> int:
-    if cls == type_:
-        return _EXACT
-    if isinstance(type_, Class):
-        if isinstance(cls, Class) and type_ in cls.mro:
-            return _NEAR
-        if isinstance(cls, Class) and linked(machine).info(type_) is not None:
-            return _CONVERTED if is_convertible(machine, type_, cls) else _NEVER
-        return _CONVERTED
-    if name.startswith("std.chrono.") and isinstance(cls, TypeOf):
-        return _CONVERTED if dotted(cls).startswith("std.chrono.") else _NEVER  # a container is no time
-    if isinstance(type_, TypeOf):
-        own = dotted(cls)
-        if own.rpartition(".")[2] == name.rpartition(".")[2] or isinstance(cls, Native):
-            return _NEAR
-        return _NEVER if name in _INTEGERS | _FLOATS or "." not in name or name == "pointer" else _CONVERTED
-    if isinstance(cls, Class) and not any(isinstance(b, External) for b in cls.mro):
-        return _CONVERTED if name in TEXTS else _NEVER if name.startswith("std.") else _CONVERTED
-    return _NEVER if name in TEXTS and isinstance(cls, External) else _CONVERTED
+        return DEDUCED
+    return CONVERTED if isinstance(value, Tuple) else NEVER

@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import lift
-from rosward.domain.slots import TypeOf
-from rosward.domain.values import NONE, Class, Value
+from rosward.domain.slots import Slot, TypeOf
+from rosward.domain.values import NONE, Class, Ref, Value
 from rosward.engine.cpp import names
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.names import Found
@@ -18,16 +18,17 @@ from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import POINTERS, pointee, pointer_to
 from rosward.ir.cpp_names import ARROW, CALLED, DOT, ELEMENT, LED, NUMBERED, UNDER
 from rosward.ir.symbols import SymbolKind
-from rosward.models.cpp.values.types import argument, name_of
+from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["of_found", "part"]
+__all__ = ["number_at", "of_found", "part"]
 
 _MAPS: Final = frozenset({"std.map", "std.multimap", "std.unordered_map", "std.unordered_multimap"})
 _ARRAYS: Final = frozenset({"array", "std.array", "std.deque", "std.span", "std.vector"})
 _SEQUENCES: Final = _ARRAYS | {"std.initializer_list", "std.list", "std.multiset", "std.set", "std.unordered_set"}
+_NUMBERS: Final = frozenset({Shape.BOOL, Shape.CHAR, Shape.FLOAT, Shape.INT})
 _OF_ONE: Final = frozenset({"at", "back", "front", "top", "value", "value_or"})
 _PLACES: Final = frozenset(
     f"{const}{reverse}{end}" for const in ("", "c") for reverse in ("", "r") for end in ("begin", "end")
@@ -38,6 +39,15 @@ _SAME: Final = frozenset({"get", "lock", "release"})
 def part(machine: Engine, type_: Value, which: str) -> Value:
     """The type of a part of what has a type: `.field`, `.function()`, and the others of `TypeOfValue`; none where that is not known."""
     return lift(lambda each: _part(machine, each, which), type_)
+
+
+def number_at(machine: Engine, value: Value) -> Value | None:
+    """The type of numbers with which a field or element is declared that a slot leads to; None where it is not known to be one."""
+    if not isinstance(value, Slot) or not isinstance(value.base, Ref) or value.kind not in ("field", "item"):
+        return None
+    cls = machine.obj(value.base).cls
+    found = _part(machine, cls, f"{DOT}{value.key}" if value.kind == "field" else ELEMENT)
+    return found if shape_of(found) in _NUMBERS else None
 
 
 def _numbered(type_: Value, number: int) -> Value:

@@ -76,8 +76,7 @@ def _kept(frame: Frame, dst: int, value: Value) -> bool | None:
 
 def _name(machine: Engine, op: cpp.Name, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    if op.parts[-1].name in machine.library.creating:
-        machine.trace.reached.add((frame.code.key, op.number))
+    naming.note_reached(machine, op.parts[-1].name, frame)
     return _kept(frame, op.dst, naming.name(machine, op, frame))
 
 
@@ -182,8 +181,7 @@ def _invoke(machine: Engine, op: cpp.Invoke, frame: Frame) -> bool | None:
 
 def _invoke_member(machine: Engine, op: cpp.InvokeMember, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    if op.name in machine.library.creating:
-        machine.trace.reached.add((frame.code.key, op.number))
+    naming.note_reached(machine, op.name, frame)
     args = decaying(machine, given(frame, op.arguments))
     types = access.types_of(frame, op.types)
     scope = frame.registers[op.scope] if op.scope != ops.NO_REGISTER else None

@@ -26,6 +26,9 @@ int (&row)[3] = rows[0];                 int  &row      = rows[0];
 using Ts::operator()...;                 using Ts::operator()   ;
 o.operator()(1), p->A::operator=(a)      o.operato$LR(1), p->A::operato$E(a)
 using std::sin, std::cos;                using std::sin;using  std::cos;
+virtual void stop() const {};            virtual void stop() const {}
+Box(const char *) -> Box<std::string>;   nothing
+{[&key = key](int i) {}}                 {[&key      ](int i) {}}
 template class Tree<Node>;               nothing: it runs nothing
 extern template int sum<int>(int);       the same
 
@@ -105,6 +108,18 @@ _NOT_BEFORE: Final = frozenset(
 _MOST: Final = 1_000
 """So long is what `decltype` names, at most."""
 
+_EMPTY: Final = re.compile(
+    r"(\b(?!(?:decltype|alignas|noexcept|requires)\b)(?:\w+|operator\s*[^\w\s(]{1,3}|operator\s*\(\s*\))\s*\((?:[^(){};]|\([^(){};]{0,200}\)){0,1000}\)"
+    r"(?:\s*(?:const|volatile|noexcept|override|final|&{1,2}))*(?:\s*->\s*[\w:<>&*, ]{1,200})?\s*\{\s*\}\s*);"
+)
+"""A member function with an empty body, and a needless semicolon: with that the grammar takes it for a declaration."""
+_GUIDE: Final = re.compile(
+    r"(?<=[;}])\s*(?:explicit\s+)?\b([A-Za-z_]\w*)\s*\([^;{}]{0,500}\)\s*->\s*\1\s*<[^;{}]{1,500}>\s*;"
+)
+"""A deduction guide that is no template: what it says follows from the constructors, mostly."""
+_CAPTURED: Final = re.compile(r"(?<=[\[,])(\s*&\s*)(\w+)(\s*=\s*\2\s*)(?=[,\]])")
+"""A reference to a variable of the same name: in braces the grammar takes `[&key = key]` for a designator."""
+
 _USING_LIST: Final = re.compile(
     r"((?:^|[;{}:])[ \t]*)(using\s(?!\s*namespace\b)[^;={}()\"]*,[^;={}()\"]*)(?=;)", re.MULTILINE
 )
@@ -156,6 +171,9 @@ def suited(text: str) -> str:
     variables: dict[str, bool] = {}
     text = _DIRECT.sub(lambda found: _initialised(found, variables), text)
     text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", _TABLE.sub(r"\1 ", text))
+    if "->" in text:
+        text = _GUIDE.sub(_blank, text)
+    text = _CAPTURED.sub(lambda found: f"{found[1]}{found[2]}{blank(found[3])}", _EMPTY.sub(r"\1 ", text))
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
     if "slots" in text:

@@ -19,7 +19,7 @@ from rosward.source.cmake.blocks import Way
 from rosward.source.cmake.generators import meant, objects_of
 from rosward.source.cmake.interpreter import Interpreter
 from rosward.source.cmake.reader import Handler
-from rosward.source.cmake.targets import Definition, Made, Making, Using
+from rosward.source.cmake.targets import UNKNOWN_VALUE, Definition, Made, Making, Using
 from rosward.source.cmake.text import Command
 from rosward.source.cmake.variables import HOLE
 from rosward.source.text import read_bytes
@@ -306,8 +306,10 @@ class TargetCommands:
             text, sure = meant(argument)
             name, equals, value = text.removeprefix("-D").partition("=")
             if name.isidentifier():
-                sure = sure and known and HOLE not in value
-                value = value.replace('\\"', '"').replace(HOLE, "")
+                value = value.replace('\\"', '"')
+                is_open = HOLE in value and not value.startswith('"')  # a number: a text is known in part
+                sure = sure and known and (is_open or HOLE not in value)
+                value = UNKNOWN_VALUE if is_open else value.replace(HOLE, "")
                 found[Definition(name, value if equals else "1", sure)] = None
         return found
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import final
+from typing import Final, final
 
 from rosward.findings import Finding
 from rosward.location import Place
@@ -28,6 +28,10 @@ class Made(enum.Enum):
     LIBRARY = "library"
     OBJECTS = "objects"
     INTERFACE = "interface"
+
+
+UNKNOWN_VALUE: Final = "__rosward_either()"
+"""The value of a macro of which only the build knows it: one of no alternatives."""
 
 
 class Definition(NamedTuple):

@@ -7,7 +7,7 @@ lowering function, which `entry.py` puts together, so that expressions, statemen
 Registers are a stack: `this`, captures, template parameters, parameters, then the variables of each block while it lasts, then
 temporaries, which are free after their statement.
 
-An expression is lowered for what is wanted: its 'value'; its 'slot', where it stands; an 'own' value for a new variable; its 'effect' alone.
+An expression is lowered for what is wanted: its 'value'; its 'slot', where it stands; an 'own' one for a new variable; its 'effect' alone.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from rosward.ir.cpp import (
     Assign,
     CellSlot,
     Construct,
+    Convert,
     Copy,
     EndScope,
     Invoke,
@@ -59,9 +60,7 @@ _ASKING: Final = frozenset(
     }
 )  # fmt: skip
 """Methods that only look, whatever has them."""
-_RESULTS: Final = frozenset(
-    {"call_expression", "cast_expression", "conditional_expression", "comma_expression", "parenthesized_expression"}
-)
+_RESULTS: Final = frozenset(f"{each}_expression" for each in ("call", "cast", "conditional", "comma", "parenthesized"))
 """What may give a slot or not."""
 
 
@@ -104,6 +103,7 @@ class Body:
         "cell_names",
         "cells",
         "constant_this",
+        "converted",
         "depth",
         "effects",
         "floor",
@@ -134,6 +134,9 @@ class Body:
         self.registers = 0
         self.free_register = 0
         self.floor = 0  # registers below it hold variables
+        self.converted: set[int] = (
+            set()
+        )  # registers of casts: the engine keeps what each says, so that they hold nothing else
         self.scopes: list[Scope] = [Scope(0)]
         self.variables: list[str] = []  # the names of the first registers
         self.cells: list[str] = []
@@ -161,12 +164,16 @@ class Body:
     def register(self) -> int:
         """A new temporary."""
         number = self.free_register
+        while number in self.converted:
+            number += 1
         self.free_register = number + 1
         self.registers = max(self.registers, number + 1)
         return number
 
     def emit(self, op: Op) -> None:
         """Put an operation into the current block."""
+        if isinstance(op, (Convert, Assign)):
+            self.converted.add(op.dst if isinstance(op, Convert) else op.slot)
         if isinstance(op, _CHANGING) and getattr(op, "name", "") not in _ASKING:
             self.effects += 1
         self.ops.append(op)
@@ -194,8 +201,8 @@ class Body:
     def unknown(self, node: Node, cause: Literal["macro", "syntax", "language"], subject: str = "") -> int:
         """A register with something that nobody knows."""
         dst = self.register()
-        text = subject or " ".join((node.text or b"")[:_SHOWN].decode("utf-8", "replace").split())
-        self.emit(UnknownValue(*self.place(node), dst, cause, text))
+        shown = " ".join((node.text or b"")[:_SHOWN].decode("utf-8", "replace").split())
+        self.emit(UnknownValue(*self.place(node), dst, cause, subject or shown))
         return dst
 
     # Expressions and statements
@@ -284,20 +291,18 @@ class Body:
     ) -> Variable:
         """A new variable in the innermost block. `type_`: a type or enumerator, which is never a place. `cell`: it always is one."""
         survey = self.shared.survey
-        known = self.scopes[-1].names.get(name)
+        known = self.scopes[-1].names.get(name)  # in another branch of an `#if`
         if known is not None and (known.reference, known.type, known.path) == (reference, type_, ()):
-            return known  # in another branch of an `#if`
+            return known
         changes = name in survey.assigned and not reference and not builtin and not pointer
         number = register = NO_REGISTER
-        if cell or (
-            not type_ and (name in (survey.addressed if constant else survey.placed) or (changes and not constant))
-        ):
+        placed = survey.addressed if constant else survey.placed
+        if cell or (not type_ and (name in placed or (changes and not constant))):
             number = self.new_cell(name)
         else:
-            register = max(self.floor, self.free_register)
-            self.free_register = register + 1
+            self.free_register = max(self.floor, self.free_register)
+            register = self.register()
             self.floor = register + 1
-            self.registers = max(self.registers, register + 1)
         found = Variable(name, register, number, reference=reference, builtin=builtin, type_=type_)
         found.constant = constant
         self.scopes[-1].names[name] = found
@@ -351,9 +356,9 @@ class Body:
         own = len(self.cells)
         for op in self.late:
             if isinstance(op, MakeLambda):
-                op.captures = tuple(own + _free(cell) if cell < 0 else cell for cell in op.captures)
+                op.captures = tuple(own + free_cell(cell) if cell < 0 else cell for cell in op.captures)
             else:
-                op.cell = own + _free(op.cell)
+                op.cell = own + free_cell(op.cell)
 
     # Blocks of the source
 
@@ -381,18 +386,13 @@ class Body:
         if len(ending) > _ENDING:
             self.unknown(node, "language", "the end of many objects")
             return
-        registers = [self.of_variable(node, variable, "slot") for variable in ending]
-        if registers:
+        if registers := [self.of_variable(node, variable, "slot") for variable in ending]:
             self.emit(EndScope(*self.place(node), tuple(registers)))
 
 
 def free_cell(number: int) -> int:
     """What stands for free cell `number` while the own ones are not counted."""
     return -number - 2
-
-
-def _free(cell: int) -> int:
-    return -cell - 2
 
 
 def _broken(node: Node) -> bool:

@@ -14,9 +14,10 @@ from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.compared import compared
 from rosward.frontends.cpp.lower.initialisers import arguments, construct, given
 from rosward.frontends.cpp.lower.names import Written, last_part, name, of_parts, parts_of, template_arguments
-from rosward.frontends.cpp.lower.operators import binary, choose, target, through_pointer
+from rosward.frontends.cpp.lower.operators import binary, choose, target
 from rosward.frontends.cpp.lower.seen import declared, is_constant
 from rosward.frontends.cpp.lower.survey import through_member, through_number, word
+from rosward.frontends.cpp.lower.through import through_pointer
 from rosward.frontends.cpp.lower.types import REFERENCES, TYPES, has, type_of
 from rosward.frontends.cpp.macros import EITHER
 from rosward.frontends.cpp.suited import TYPE, type_meant
@@ -279,7 +280,7 @@ def _either(body: Body, node: Node, listed: Node | None, want: Want) -> int:
     inner = listed.named_children if listed is not None else []
     how: Want = "value" if want == "effect" else want
     if not inner:
-        return body.unknown(node, "syntax")
+        return body.unknown(node, "macro", "a macro of which only the build knows the value")
 
     def of(position: int) -> int:
         if position + 1 == len(inner):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Does an expression stand for a place? `x`, `o.x`, `v[i]`, `*p`, `x = a`, `++x`."""
+"""Does an expression stand for a place? `x`, `o.x`, `o.*m`, `v[i]`, `*p`, `x = a`, `++x`."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, Literal
 
-from rosward.frontends.cpp.lower.survey import word
+from rosward.frontends.cpp.lower.survey import assigned_member, through_member, word
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -38,6 +38,9 @@ def is_lvalue(node: Node) -> bool:
                 return False
         elif kind == "update_expression":
             if here.children[0].type not in {"++", "--"}:
+                return False
+        elif kind == "binary_expression":
+            if through_member(here) is None and assigned_member(here) is None:
                 return False
         elif kind not in _LVALUES:
             return False

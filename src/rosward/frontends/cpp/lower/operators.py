@@ -13,7 +13,8 @@ from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import last_part, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.narrowing import COMPARE, condition, conjunction, split
 from rosward.frontends.cpp.lower.seen import again, is_constant, led_to, seen_scope
-from rosward.frontends.cpp.lower.survey import is_apart, operator_of, through_member, word
+from rosward.frontends.cpp.lower.survey import is_apart, operator_of, word
+from rosward.frontends.cpp.lower.through import factors, is_through, through, value_through
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
 from rosward.ir.arithmetic import common
@@ -57,9 +58,8 @@ def binary(body: Body, node: Node, want: Want) -> int:
     """Chains that lean to the left (`a + b + c`) are walked in a loop: generated code has thousands of links."""
     if operator_of(node) in ("&&", "||"):
         return conjunction(body, node, operator_of(node)).register
-    pair = through_member(node)
-    if pair is not None:
-        return body.given(node, through_pointer(body, node, pair), want)
+    if is_through(node):
+        return through(body, node, want)
     chain = [node]
     left = node.child_by_field_name("left")
     while left is not None and left.type == "binary_expression" and not left.has_error and not is_apart(left):
@@ -74,10 +74,9 @@ def binary(body: Body, node: Node, want: Want) -> int:
     else:
         value = _size(body, chain.pop(), counted)
     type_, sizes = ("", ()) if counted is not None else (type_written(body, left), receiver_of_size(body, left))
-    for link in reversed(chain):
+    for link, right, pair in factors(chain):
         operator = operator_of(link)
-        right = link.child_by_field_name("right")
-        other = _operand(body, right, operator, ">>")
+        other = _operand(body, right, operator, ">>") if pair is None else value_through(body, link, pair)
         if operator not in COMPARE and operator not in _BINARY:
             value = body.unknown(link, "language", operator)
             continue
@@ -346,16 +345,6 @@ def _field(body: Body, node: Node, want: Want) -> int:
     slot = want in ("slot", "own")
     body.emit(Member(*body.place(field), dst, obj, text, arguments=given, slot=slot, seen=seen, static=static))
     return body.given(node, dst, "own") if want == "own" else dst
-
-
-def through_pointer(body: Body, node: Node, pair: tuple[Node, Node], arguments: tuple[Argued, ...] = ()) -> int:
-    """`(o.*m)(…)` is `std::invoke(m, o, …)`; so is `o.*m` of a field."""
-    left, right = pair
-    obj = 0 if left.type == "this" and body.has_this else body.slot(left)
-    func = body.value(right)
-    dst = body.register()
-    body.emit(Invoke(*body.place(node), dst, func, (Argued(obj, "slot"), *arguments)))
-    return dst
 
 
 def _subscript(body: Body, node: Node, want: Want) -> int:

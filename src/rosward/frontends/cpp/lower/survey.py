@@ -88,6 +88,20 @@ def operator_of(node: Node) -> str:
 
 def through_member(node: Node) -> tuple[Node, Node] | None:
     """The object and the member of `o.*m` and `p->*m`, which the parser gets as `o%~m` and `p%~~m`; None for any other expression."""
+    inner, left = member_behind(node), node.child_by_field_name("left")
+    if inner is None or left is None or inner.type == "assignment_expression" or _is_product(left):
+        return None
+    return left, inner
+
+
+def assigned_member(node: Node) -> tuple[Node, Node] | None:
+    """The object of `o.*m = a` and the assignment, which the parser reads as `m = a`; None for any other expression."""
+    inner, left = member_behind(node), node.child_by_field_name("left")
+    return (left, inner) if inner is not None and left is not None and inner.type == "assignment_expression" else None
+
+
+def member_behind(node: Node) -> Node | None:
+    """What stands behind `.*` or `->*`; before it is a product, of which the last factor is meant: `2 * o.*m`."""
     operator, left, right = (node.child_by_field_name(name) for name in ("operator", "left", "right"))
     if node.type != "binary_expression" or operator is None or left is None or right is None or operator.type != "%":
         return None
@@ -99,12 +113,16 @@ def through_member(node: Node) -> tuple[Node, Node] | None:
         if argument is None:
             return None
         inner, end = argument, sign.end_byte
-    return (left, inner) if inner is not right else None
+    return inner if inner is not right else None
+
+
+def _is_product(node: Node) -> bool:
+    return node.type == "binary_expression" and operator_of(node) in ("*", "/", "%") and through_member(node) is None
 
 
 def is_apart(node: Node) -> bool:
     """Whether an expression with two sides is none of operators that are asked one after the other."""
-    return through_member(node) is not None or through_number(node) is not None
+    return through_member(node) is not None or assigned_member(node) is not None or through_number(node) is not None
 
 
 _CONSTANTS: Final = frozenset({"number_literal", "char_literal", "true", "false"})
@@ -142,6 +160,12 @@ def _leave(lambdas: list[tuple[Node, dict[str, None]]], placed: set[str]) -> Non
         before = child.type
 
 
+def _behind_which(node: Node) -> Node | None:
+    """The object of which `.*` takes a member."""
+    left = node.child_by_field_name("left") if member_behind(node) is not None else None
+    return left.child_by_field_name("right") if left is not None and _is_product(left) else left
+
+
 def _placed(node: Node, kind: str) -> Iterator[str]:
     if kind in _LISTS:
         for child in node.named_children:
@@ -153,7 +177,7 @@ def _placed(node: Node, kind: str) -> Iterator[str]:
             yield from named(node.child_by_field_name("argument"))
     elif kind == "binary_expression":
         operator = node.child_by_field_name("operator")
-        yield from named(node.child_by_field_name("left") if through_member(node) is not None else None)
+        yield from named(_behind_which(node))
         numbered = through_number(node)
         if numbered is not None:
             yield from _receiver(numbered[0])

@@ -15,7 +15,9 @@ from rosward.domain.compound import External
 from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import TRUE, Choice, Class, Const, Unknown, Value
+from rosward.ir.arithmetic import UNSIGNED, WIDE, same_type
 from rosward.location import Place
+from rosward.models.cpp.values.number_conversions import OCTETS
 from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 
 __all__ = ["NO_TYPE", "SOME_TYPE", "TRAITS"]
@@ -30,6 +32,8 @@ _WRAPPERS: Final = frozenset(("reference", "const", "volatile", "rvalue"))
 _POINTERS: Final = frozenset(("pointer", "std.shared_ptr", "std.unique_ptr", "std.weak_ptr"))
 _NUMBERS: Final = frozenset({Shape.INT, Shape.FLOAT, Shape.BOOL, Shape.CHAR})
 _WHOLE: Final = frozenset({Shape.INT, Shape.BOOL, Shape.CHAR})
+_WRITTEN: Final = frozenset({UNSIGNED, "float", "int8_t", "short", "uint8_t", "unsigned short"})
+"""Types of numbers that a value has only where they are written."""
 _DEEPEST: Final = 12
 Types = tuple[Value, ...]
 Trait = Callable[[Types], Value]
@@ -64,7 +68,7 @@ def _same(a: Value, b: Value, depth: int = 0) -> bool | None:
     first, second = name_of(a), name_of(b)
     ours, theirs = shape_of(a), shape_of(b)
     if ours is theirs and ours in (Shape.INT, Shape.FLOAT, Shape.TEXT):
-        return None
+        return _same_number(first, second)
     if first in _POINTERS and second in _POINTERS:
         inner = _same(argument(a, 0), argument(b, 0), depth + 1)
         return False if inner is False else None
@@ -74,6 +78,14 @@ def _same(a: Value, b: Value, depth: int = 0) -> bool | None:
         return None
     answers = {_same(x, y, depth + 1) for x, y in zip(a.arguments, b.arguments, strict=True)}
     return False if False in answers else None if None in answers else True
+
+
+def _same_number(one: str, other: str) -> bool | None:
+    """Whether two types of numbers are one, where a value is taken for one of them only if it is written to be of that."""
+    names = {OCTETS.get(short, same_type(short)) for short in (each.removeprefix("std.") for each in (one, other))}
+    if names <= _WRITTEN:
+        return len(names) == 1
+    return False if WIDE in names and names & _WRITTEN else None
 
 
 def _is_same(types: Types) -> Value:
