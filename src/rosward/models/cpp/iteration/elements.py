@@ -121,6 +121,8 @@ def _of_own_range(machine: Machine, ref: Ref, *, slots: bool) -> Series:
     ends = [machine.call(machine.load_attr(ref, name), ()) for name in ("begin", "end")]
     if UNBOUND in ends:
         return Series()
+    if any(place is not None and place.base == ref for place in map(as_iterator, options(read(machine, ends[0])))):
+        return Series((), unknown_from(machine, "for", "", ref))  # those of a container that it is derived from
     return between(machine, ends[0], ends[1], slots=slots)
 
 
