@@ -14,9 +14,9 @@ from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Slot, TypeOf
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Unknown, Value
-from rosward.engine.cpp.construct import make
+from rosward.engine.cpp.construct import make, part_of
 from rosward.engine.cpp.constructors import constructors, is_one, least
-from rosward.engine.cpp.converting import as_value, buffer, by_operator, cast, derives, enumerator
+from rosward.engine.cpp.converting import as_value, as_wanted, buffer, by_operator, cast, derives, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.thunks import evaluate
@@ -51,7 +51,7 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
             held = lift(lambda o: as_one(machine, o, type_) if is_of_another(machine, o, type_) else o, held)
     target = pointee(type_)
     if target is not None:
-        held = as_value(machine, value)
+        held = as_wanted(machine, as_value(machine, value), type_)
     if kind == "dynamic" or (target is not None and isinstance(target, Class)):
         made = as_pointer(cast(machine, held, target if target is not None else type_, kind), type_)
         return made if kind != "dynamic" or target is not None else _of_reference(machine, made)
@@ -63,8 +63,10 @@ def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
         return convert_plain(machine, lift(lambda v: by_operator(machine, v, type_), held), type_, kind)
     found: list[Value] = []
     for option in options(held):
-        if is_one(machine, option, type_) or isinstance(option, Unknown) or kind != "init":
+        if is_one(machine, option, type_) or isinstance(option, Unknown):
             found.append(option)
+        elif kind != "init":
+            found.append(by_operator(machine, option, type_) if kind == "static" else option)
         else:
             found.append(_converted(machine, option, type_))
 
@@ -142,7 +144,9 @@ def copy_of_result(machine: Engine, frame: Frame, value: Value) -> Value:
         if symbol is not None and symbol.type is not None and not symbol.template:
             type_ = evaluate(machine, symbol.type, function.module)
         if is_of_another(machine, value, type_):
-            return as_one(machine, value, type_)
+            return lift(
+                lambda o: part_of(machine, o, type_) if is_of_another(machine, o, type_) else copied(machine, o), value
+            )
     return copied(machine, value)
 
 

@@ -31,9 +31,10 @@ from rosward.engine.cpp.constructors import (
     takes,
     takes_list,
 )
-from rosward.engine.cpp.converting import as_wanted, by_operator, by_operators, decayed, derives, enumerator
+from rosward.engine.cpp.converting import as_wanted, by_operator, by_operators, decayed, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.message_of import message_of
 from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.overloading import choose
 from rosward.engine.cpp.thunks import evaluate
@@ -46,7 +47,6 @@ from rosward.models.cpp.values.conversions import convert as convert_plain
 from rosward.models.cpp.values.conversions import default_value
 from rosward.models.cpp.values.copies import copied
 from rosward.models.cpp.values.slots import read
-from rosward.models.cpp.values.typed import MESSAGE, typed
 from rosward.models.cpp.values.types import Shape, shape_of
 from rosward.models.cpp.values.unions import take_member
 
@@ -60,6 +60,7 @@ __all__ = [
     "is_type",
     "make",
     "make_of_anything",
+    "part_of",
     "set_field",
 ]
 
@@ -105,7 +106,7 @@ def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Va
         handing.give_to(machine, args, type_)
         return machine.unknown(Cause.CALL, name_of(type_)) if not isinstance(type_, Unknown) else type_
     if is_message(type_):
-        return _message(machine, type_, args)
+        return message_of(machine, type_, args)
     if is_enumeration(machine, type_) and len(args) <= 1:
         return enumerator(machine, dotted(type_), args, form)
     name = dotted(type_)
@@ -137,32 +138,6 @@ def _is_list(args: Sequence[Value]) -> bool:
     return len(args) == 1 and isinstance(args[0], Tuple)
 
 
-def _message(machine: Engine, type_: Value, args: Sequence[Value]) -> Value:
-    """A message; of one that is not known, one that may hold anything."""
-    if len(args) != 1:
-        return machine.allocate(Obj("instance", type_), "message")
-
-    def one(option: Value) -> Value:
-        if isinstance(option, Ref) and machine.obj(option).cls == type_:
-            return copied(machine, option)
-        if isinstance(option, Unknown):
-            return typed(machine, option, type_, MESSAGE)
-        if isinstance(option, Ref) and derives(machine.obj(option).cls, type_):
-            return _message_in(machine, option, type_)
-        return machine.allocate(Obj("instance", type_), "message")
-
-    return lift(one, read(machine, args[0]))
-
-
-def _message_in(machine: Engine, ref: Ref, type_: Value) -> Value:
-    """The message that an object is part of, of a class that derives from it."""
-    obj = machine.obj(ref)
-    infos = [linked(machine).info(cls) for cls in obj.cls.mro] if isinstance(obj.cls, Class) else []
-    own = {key for info in infos if info is not None for key in info.keys.values()}
-    fields = {name: copied(machine, value) for name, value in obj.attrs.items() if name not in own}
-    return machine.allocate(Obj("instance", type_, fields, partial=obj.partial), "message")
-
-
 def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) -> Value:
     info = linked(machine).info(cls)
     if info is None or info.cls is None:
@@ -189,14 +164,26 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
             isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))
         ):
             return copied(machine, args[0])
-        ref = machine.allocate(Obj("instance", cls), "object")
-        _take_over(machine, ref, cls, args[0])
-        return ref
+        return _part(machine, cls, args[0])
     machine.trace.instantiated.add(cls.place)
     ref = machine.allocate(Obj("instance", cls), "object")
     if not construct_in_place(machine, ref, info, args):
         return UNBOUND
     handing.watch(machine, cls, ref)
+    return ref
+
+
+def part_of(machine: Engine, value: Value, type_: Value) -> Value:
+    """A copy of what of an object belongs to a base, where the object is seen as one: no constructor for what derives from that is asked."""
+    info = linked(machine).info(type_) if isinstance(type_, Class) else None
+    if info is None or info.cls is None or copies(machine, info):
+        return make(machine, type_, (value,), "copy")
+    return _part(machine, info.cls, value)
+
+
+def _part(machine: Engine, cls: Class, value: Value) -> Value:
+    ref = machine.allocate(Obj("instance", cls), "object")
+    _take_over(machine, ref, cls, value)
     return ref
 
 
@@ -232,10 +219,12 @@ def _as_class(machine: Engine, ref: Ref, cls: Class) -> Iterator[None]:
         constructing.pop()
 
 
-def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
-    """Run the constructor of a class on an object; False where it never ends."""
+def construct_in_place(
+    machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...], *, copying: bool = False
+) -> bool:
+    """Run the constructor of a class on an object; False where it never ends. `copying`: of the part of an object that is one."""
     assert info.cls is not None
-    if is_copy(machine, info, args) and not copies(machine, info):
+    if (copying or is_copy(machine, info, args)) and not copies(machine, info):
         _take_over(machine, ref, info.cls, args[0])
         return True
     is_delegated = linked(machine).constructing[-1:] == [(ref.address, info.cls)]
@@ -283,7 +272,7 @@ def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
     for base in linked(machine).bases_to_make(ref, whole) if whole is not None else ():
         inner = linked(machine).info(base)
         if inner is not None and isinstance(base, Class) and is_copied(machine, base):
-            construct_in_place(machine, ref, inner, (source,))
+            construct_in_place(machine, ref, inner, (source,), copying=True)
             apart.update(base.mro)
     objects = [(o, machine.obj(o)) for o in options(read(machine, source)) if isinstance(o, Ref)]
     for each in cls.mro:

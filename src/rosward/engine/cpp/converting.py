@@ -8,7 +8,7 @@ dynamic_cast<Node *>(p)     p, or null where the object is no Node
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import External, Tuple
@@ -18,10 +18,12 @@ from rosward.domain.values import NONE, Choice, Class, Const, Ref, Text, Unknown
 from rosward.engine.cpp import names
 from rosward.engine.cpp.categories import class_cast_to
 from rosward.engine.cpp.enumerations import of_enumeration
-from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted
 from rosward.engine.cpp.values import value_of
 from rosward.ir.cpp import Form
+from rosward.ir.symbols import Symbol
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 
@@ -64,8 +66,8 @@ def as_wanted(machine: Engine, value: Value, type_: Value) -> Value:
 def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
     """What the conversion operator of an object to a type gives; the value itself where it has none."""
     info = linked(machine).info(machine.obj(value).cls) if isinstance(value, Ref) else None
-    if info is None or info.cls is None:
-        return value
+    if info is None or info.cls is None or type_ in info.cls.mro:
+        return value  # never to its own class or a base of it
     wanted = dotted(type_).rpartition(".")[2]
     cast = class_cast_to(machine, value)
     seen = cast.cls if cast is not None and cast.cls is not None and cast.cls in info.cls.mro else info.cls
@@ -74,11 +76,22 @@ def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
         for symbol in own.symbol.members if own is not None else ():
             if own is None or not symbol.name.startswith("operator "):
                 continue
-            if symbol.name.rstrip("& ").rpartition(":")[2].split()[-1] == wanted:
+            if symbol.name.rstrip("& ").rpartition(":")[2].split()[-1] == wanted or _gives(machine, own, symbol, type_):
                 functions = linked(machine).members(own, symbol.name)
                 found = value_of(machine, names.Found(tuple(functions), own.env, own), None)
                 return machine.call(found.of(value), ()) if isinstance(found, Overloads) else value
     return value
+
+
+def _gives(machine: Engine, own: Info, symbol: Symbol, type_: Value) -> bool:
+    """Whether a conversion operator gives a type that its name does not end with: `operator std::vector<int>()`, `operator Lamp::SharedPtr()`."""
+    found = evaluate(machine, symbol.type, own.env) if symbol.type is not None and not symbol.template else NONE
+    while isinstance(found, TypeOf) and found.name in _AROUND:
+        found = argument(found, 0)
+    return found == type_
+
+
+_AROUND: Final = frozenset({"const", "reference"})
 
 
 def by_operators(machine: Engine, args: tuple[Value, ...], type_: Value) -> tuple[Value, ...]:

@@ -81,8 +81,8 @@ def _braces(machine: Engine, value: Tuple, type_: Value, name: str) -> int:
 
 
 def _is_of_one(name: str, value: Tuple) -> bool:
-    """Whether a type is made of a single value: a string not of several."""
-    return name in _INTEGERS | _FLOATS | {"bool"} or (name in TEXTS and all(map(is_char_text, value.items)))
+    """Whether a type is made of a single value: a function, a string not of several texts."""
+    return name in _INTEGERS | _FLOATS | _EMPTY | {"bool"} or (name in TEXTS and all(map(is_char_text, value.items)))
 
 
 _LISTS: Final = frozenset({"std.deque", "std.initializer_list", "std.list", "std.set", "std.vector"})

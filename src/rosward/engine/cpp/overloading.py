@@ -37,8 +37,9 @@ from rosward.engine.cpp.special import mentions, most_special
 from rosward.engine.cpp.static_types import number_at
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, is_pointer_pattern, pointee, type_of
-from rosward.ir.arithmetic import SMALL, same_type
+from rosward.ir.arithmetic import SMALL
 from rosward.ir.symbols import ParameterSymbol, Signature, TypePattern
+from rosward.models.cpp.values.number_conversions import number_named
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.traits import NO_TYPE
 
@@ -79,7 +80,7 @@ def _numbers(machine: Engine, args: tuple[Value, ...]) -> tuple[str, ...]:
     declared = [number_at(machine, a) for a in args]
     if all(each is None for each in declared):
         return written
-    names = ["" if each is None else same_type(dotted(each).removeprefix("std.")) for each in declared]
+    names = ["" if each is None else number_named(dotted(each)) for each in declared]
     return tuple(w or n for w, n in zip(written or [""] * len(names), names, strict=True))
 
 
@@ -207,10 +208,10 @@ def _written(
 
 def _number(name: str, number: str, points: int) -> int:
     """How well a number whose type is written fits a type, which other types of numbers fit so well."""
-    type_ = same_type(name.removeprefix("std."))
+    type_ = number_named(name)
     if not is_number(name):
         return NEVER if name in TEXTS else points
-    if type_ == number:
+    if type_ == number_named(number):
         return EXACT
     return NEAR if type_ == ("int" if number in SMALL else "double" if number == "float" else "") else TEMPLATE
 

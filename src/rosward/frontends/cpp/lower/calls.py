@@ -7,10 +7,11 @@ p->create<T>("x", n)       Name p; Deref; Name T; InvokeMember 'create' <T> ("x"
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final, Literal
+from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body, Want
+from rosward.frontends.cpp.lower.casts import CASTS, Cast, by_value
 from rosward.frontends.cpp.lower.compared import compared
 from rosward.frontends.cpp.lower.initialisers import arguments, construct, given
 from rosward.frontends.cpp.lower.names import Written, last_part, name, of_parts, parts_of, template_arguments
@@ -18,7 +19,7 @@ from rosward.frontends.cpp.lower.operators import binary, choose, target
 from rosward.frontends.cpp.lower.seen import declared, is_constant
 from rosward.frontends.cpp.lower.survey import through_member, through_number, word
 from rosward.frontends.cpp.lower.through import through_pointer
-from rosward.frontends.cpp.lower.types import REFERENCES, TYPES, has, type_of
+from rosward.frontends.cpp.lower.types import TYPES, type_of
 from rosward.frontends.cpp.macros import EITHER
 from rosward.frontends.cpp.suited import TYPE, type_meant
 from rosward.ir.arithmetic import same_type
@@ -28,14 +29,6 @@ from rosward.ir.op import Block
 
 if TYPE_CHECKING:
     from tree_sitter import Node
-
-Cast = Literal["value", "static", "dynamic", "const"]
-_CASTS: Final[dict[str, Cast]] = {
-    "static_cast": "static",
-    "dynamic_cast": "dynamic",
-    "const_cast": "const",
-    "reinterpret_cast": "const",
-}
 
 
 def _call(body: Body, node: Node, want: Want) -> int:
@@ -54,7 +47,7 @@ def _call(body: Body, node: Node, want: Want) -> int:
     if special is not None:
         return special(body, node, listed, want)
     if function.type == "template_function":
-        cast = _CASTS.get(word(function.child_by_field_name("name")))
+        cast = CASTS.get(word(function.child_by_field_name("name")))
         if cast is not None:
             return _cast(body, node, function, listed, cast)
         comparison = compared(body, node, function, listed)
@@ -216,14 +209,8 @@ def _cast(body: Body, node: Node, function: Node, listed: Node | None, kind: Cas
         node,
         inner[0],
         type_of(body, types.named_children[0], keep=True),
-        _by_value(types.named_children[0], kind),
+        by_value(types.named_children[0], kind),
     )
-
-
-def _by_value(type_: Node, kind: Cast) -> Cast:
-    """The kind of a cast: `static_cast<T>(x)` makes a value, `static_cast<T &>(x)` does not."""
-    shape = type_.child_by_field_name("declarator") if type_.type == "type_descriptor" else None
-    return "value" if kind == "static" and not has(shape, REFERENCES) else kind
 
 
 def converted(body: Body, node: Node, src: Node, type_: int, kind: Cast) -> int:
@@ -242,7 +229,7 @@ def _c_cast(body: Body, node: Node, want: Want) -> int:
         return body.unknown(node, "syntax")
     if word(type_) == "void":
         return body.expression(value, "effect")
-    kind = _by_value(type_, "static")
+    kind = by_value(type_, "static")
     if value.type == "assignment_expression":  # `(Base &)*this += x`: what is cast is on its left
         return _assigned(body, node, value, type_, kind)
     found = converted(body, node, value, type_of(body, type_, keep=True), kind)

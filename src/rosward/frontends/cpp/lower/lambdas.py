@@ -167,7 +167,12 @@ def _captures(body: Body, node: Node, mutable: bool) -> _Captures:
         elif kind in ("identifier", "parameter_pack_expansion"):
             name = word(child if kind == "identifier" else child.named_children[0])
             done.add(name)
-            _capture(body, child, found, name, "&" if before == "&" else "=", mutable)
+            variable = body.variable(name)
+            leads = variable is None or (variable.reference and not (variable.raw or variable.path or variable.pack))
+            if before == "&" and kind == "identifier" and leads:
+                found.copied.append(_referring(body, name, child))
+            else:
+                _capture(body, child, found, name, "&" if before == "&" else "=", mutable)
         elif kind == "lambda_capture_initializer":
             done.add(_initialised(body, child, found, mutable))
         before = kind
@@ -240,12 +245,19 @@ def _initialised(body: Body, node: Node, found: _Captures, mutable: bool) -> str
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
     name = word(within(left) if left is not None and left.child_count else left)
     if node.children[0].type == "&":
-        like = body.variable(word(right)) if right is not None and right.type == "identifier" else None
-        written = None if like is None else like.written
-        found.copied.append(_Copied(name, body.slot(right), reference=True, written=written))
+        found.copied.append(_referring(body, name, right))
     else:
         _copied(body, node, found, name, body.own(right) if right is None else own(body, right), "", mutable)
     return name
+
+
+def _referring(body: Body, name: str, value: Node | None) -> _Copied:
+    """A reference to what stands there: to what a reference refers to, or to a field or global variable (`[&text = text]`, see suited.py)."""
+    like = body.variable(word(value)) if value is not None and value.type == "identifier" else None
+    slot = body.slot(value)
+    if like is None:
+        return _Copied(name, slot, reference=True)
+    return _Copied(name, slot, reference=True, builtin=like.builtin, constant=like.constant, written=like.written)
 
 
 EXPRESSIONS: Final = {"lambda_expression": _lambda}

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body
+from rosward.frontends.cpp.lower.casts import CASTS
 from rosward.frontends.cpp.lower.names import Written, of_parts, parts_of
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import POINTERS, REFERENCES, declared_type, has, type_of
@@ -261,7 +262,7 @@ def _cast(node: Node | None) -> Node | None:
     if (
         function is None
         or function.type != "template_function"
-        or word(function.child_by_field_name("name")) not in _CASTS
+        or word(function.child_by_field_name("name")) not in CASTS
     ):
         return None
     types = function.child_by_field_name("arguments")
@@ -273,9 +274,6 @@ def written_cast(node: Node) -> tuple[Node, Node | None] | None:
     found = _cast(_plain(node)) if node.type != "pointer_expression" else None
     type_ = found.child_by_field_name("type") if found is not None else None
     return None if found is None or type_ is None else (type_, found.child_by_field_name("declarator"))
-
-
-_CASTS: Final = frozenset({"static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"})
 
 
 def seen_scope(body: Body, field: Node, node: Node | None, written: Written | None) -> tuple[Block, int]:

@@ -6,9 +6,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body
+from rosward.frontends.cpp.lower.casts import CASTS, Cast, by_value
 from rosward.frontends.cpp.lower.survey import word
-from rosward.frontends.cpp.lower.types import FUNCTIONS, within
-from rosward.ir.cpp import Argued, Invoke, Item
+from rosward.frontends.cpp.lower.types import FUNCTIONS, type_of, within
+from rosward.ir.cpp import Argued, Convert, Invoke, Item
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -43,7 +44,7 @@ _MEANT: Final = frozenset({"abstract_function_declarator", "abstract_array_decla
 
 
 def meant(body: Body, node: Node) -> Argued:
-    """What such a parameter is as an argument: `a`, `a::b`, `A()`, `std::move(a)`, `a[1]`."""
+    """What such a parameter is as an argument: `a`, `a::b`, `A()`, `std::move(a)`, `static_cast<A &>(a)`, `a[1]`."""
     type_node, inner = node.child_by_field_name("type"), node.child_by_field_name("declarator")
     if type_node is None:
         return Argued(body.unknown(node, "syntax"))
@@ -57,10 +58,22 @@ def meant(body: Body, node: Node) -> Argued:
     listed, given_ = inner.child_by_field_name("parameters"), arguments_in(inner)
     if given_ is None and listed is not None and listed.named_children:
         return Argued(body.unknown(node, "syntax"))
+    cast = CASTS.get(word(type_node.child_by_field_name("name"))) if type_node.type == "template_type" else None
+    types = type_node.child_by_field_name("arguments")
+    if cast is not None and types is not None and len(types.named_children) == 1 and len(given_ or ()) == 1:
+        return _converted(body, node, (given_ or [])[0], types.named_children[0], cast)
     function = body.slot(type_node)
     arguments = tuple(meant(body, each) for each in given_ or ())
     dst = body.register()
     body.emit(Invoke(*body.place(node), dst, function, arguments))
+    return Argued(dst, "result")
+
+
+def _converted(body: Body, node: Node, value: Node, type_: Node, kind: Cast) -> Argued:
+    """`static_cast<Lamp &>(part)`."""
+    src, wanted = meant(body, value).register, type_of(body, type_, keep=True)
+    dst = body.register()
+    body.emit(Convert(*body.place(node), dst, src, wanted, by_value(type_, kind)))
     return Argued(dst, "result")
 
 

@@ -10,11 +10,12 @@ from typing import Final
 
 from rosward.domain.enumerated import Whole
 from rosward.domain.values import NONE, Const, Unknown, Value
+from rosward.ir.arithmetic import same_type
 from rosward.models.cpp.values.types import Shape, name_of
 from rosward.models.native import Machine
 from rosward.models.python.plain import from_python, unknown_from
 
-__all__ = ["NUMBERS", "truncated"]
+__all__ = ["NUMBERS", "OCTETS", "number_named", "truncated"]
 
 _ZERO: Final = Const(0)
 
@@ -40,6 +41,12 @@ OCTETS: Final[Mapping[str, str]] = {
     **dict.fromkeys(("int8_t", "signed char"), "int8_t"),
 }
 """The types of whole numbers that are characters to a stream, by their other names."""
+
+
+def number_named(name: str) -> str:
+    """A type of numbers by the one of its names that stands for all: `uint8_t` for `unsigned char`."""
+    short = name.removeprefix("std.")
+    return OCTETS.get(short) or same_type(short)
 
 
 _INT: Final = frozenset({"int", "signed", "signed int"})

@@ -15,9 +15,9 @@ from rosward.domain.compound import External
 from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import TRUE, Choice, Class, Const, Unknown, Value
-from rosward.ir.arithmetic import UNSIGNED, WIDE, same_type
+from rosward.ir.arithmetic import UNSIGNED, WIDE
 from rosward.location import Place
-from rosward.models.cpp.values.number_conversions import OCTETS
+from rosward.models.cpp.values.number_conversions import number_named
 from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 
 __all__ = ["NO_TYPE", "SOME_TYPE", "TRAITS"]
@@ -82,7 +82,7 @@ def _same(a: Value, b: Value, depth: int = 0) -> bool | None:
 
 def _same_number(one: str, other: str) -> bool | None:
     """Whether two types of numbers are one, where a value is taken for one of them only if it is written to be of that."""
-    names = {OCTETS.get(short, same_type(short)) for short in (each.removeprefix("std.") for each in (one, other))}
+    names = {number_named(one), number_named(other)}
     if names <= _WRITTEN:
         return len(names) == 1
     return False if WIDE in names and names & _WRITTEN else None
