@@ -252,6 +252,24 @@ class Robot(Node):
 rclpy.init()
 rclpy.spin(Robot())
 """
+MENU = """
+from interactive_markers import InteractiveMarkerServer, MenuHandler
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.server = InteractiveMarkerServer(self, 'marks')
+        self.menu = MenuHandler()
+        self.menu.apply(self.server, 'arm')
+        self.menu.insert('go', callback=self.chosen)
+        self.out = self.create_publisher(String, '/out', 10)
+
+    def chosen(self, feedback):
+        self.out.publish(String(data=feedback.marker_name))
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
 DERIVED = """
 from paho.mqtt.client import Client
 
@@ -288,6 +306,7 @@ rclpy.spin(Robot())
             (LISTENS, "topic:/more", "network"),
             (DATAGRAMS, "topic:/out", "network"),
             (DERIVED, "topic:/out", "network"),
+            (MENU, "topic:/out", "topic:/marks/feedback"),
         ],
         3,
     ),

@@ -42,7 +42,8 @@ _FOREIGN: Final = _READ | {
 """Libraries that create nothing on a node that they get hold of: they know nothing of ROS."""
 
 _NO_NODES: Final = _FOREIGN | {
-    "aiohttp", "aiortc", "anthropic", "av", "azure", "bleak", "bluetooth", "board", "boto3", "bs4", "busio", "canopen", "cantools", "casadi",
+    "actionlib", "aiohttp", "aiortc", "anthropic",
+    "av", "azure", "bleak", "bluetooth", "board", "boto3", "bs4", "busio", "canopen", "cantools", "casadi",
     "crcmod", "Crypto", "cryptography", "cvxpy", "dash", "depthai", "digitalio", "discord", "docker", "dotenv", "dronekit", "dynamixel_sdk",
     "easyocr", "evdev", "face_recognition", "fastapi", "filterpy", "flask", "flask_cors", "flask_socketio", "folium", "geographiclib",
     "geopy", "google", "gpiozero", "gradio", "grpc", "gtts", "gym", "gymnasium", "h5py", "httpx", "image_geometry", "imageio", "imutils",
@@ -51,7 +52,7 @@ _NO_NODES: Final = _FOREIGN | {
     "nicegui", "numba", "odrive", "ollama", "openai", "osqp", "paho", "paramiko", "pexpect", "picamera", "picamera2", "pigpio", "pinocchio",
     "playsound", "plotly", "PyKDL", "prompt_toolkit", "psutil", "psycopg2", "pupil_apriltags", "pyaudio", "pyautogui", "pybullet", "pycuda",
     "pydantic", "pydub", "pymavlink", "pymodbus", "pymongo", "pynmea2", "pynput", "pyproj", "pyqtgraph", "pyrealsense2", "pyttsx3", "pytz",
-    "pyudev", "pyzbar", "rclpy_message_converter", "readchar", "redis", "rich", "rosbags", "rospy",
+    "pyudev", "pyzbar", "rclpy_message_converter", "readchar", "redis", "rich", "rosbag", "rosbags", "rospy",
     "ruamel", "shapely", "simple_pid", "slack_sdk", "smach", "socketio",
     "sounddevice", "soundfile", "spatialmath", "speech_recognition", "sqlalchemy", "sshkeyboard", "stable_baselines3", "starlette",
     "streamlit", "supervision", "telegram", "tensorrt", "textual", "torchaudio", "tornado", "tqdm", "transformers", "trimesh", "twilio",
