@@ -231,6 +231,65 @@ class Robot(Node):
 rclpy.init()
 rclpy.spin(Robot())
 """
+DATAGRAMS = """
+import socketserver
+import threading
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.out = self.create_publisher(String, '/out', 10)
+        robot = self
+
+        class Datagram(socketserver.BaseRequestHandler):
+            def handle(self):
+                data, where = self.request
+                robot.out.publish(String(data=data.decode()))
+                where.sendto(b'taken', self.client_address)
+
+        threading.Thread(target=socketserver.UDPServer(('', 8000), Datagram).serve_forever).start()
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+MENU = """
+from interactive_markers import InteractiveMarkerServer, MenuHandler
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.server = InteractiveMarkerServer(self, 'marks')
+        self.menu = MenuHandler()
+        self.menu.apply(self.server, 'arm')
+        self.menu.insert('go', callback=self.chosen)
+        self.out = self.create_publisher(String, '/out', 10)
+
+    def chosen(self, feedback):
+        self.out.publish(String(data=feedback.marker_name))
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+DERIVED = """
+from paho.mqtt.client import Client
+
+class Listener(Client):
+    def __init__(self, robot):
+        super().__init__()
+        self.robot = robot
+
+    def on_message(self, client, userdata, message):
+        self.robot.out.publish(String(data=message.payload.decode()))
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.out = self.create_publisher(String, '/out', 10)
+        Listener(self).loop_start()
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
 
 
 @pytest.mark.parametrize(
@@ -245,6 +304,9 @@ rclpy.spin(Robot())
             (STREAMS, "network", "topic:/in"),
             (LISTENS, "topic:/out", "network"),
             (LISTENS, "topic:/more", "network"),
+            (DATAGRAMS, "topic:/out", "network"),
+            (DERIVED, "topic:/out", "network"),
+            (MENU, "topic:/out", "topic:/marks/feedback"),
         ],
         3,
     ),
@@ -306,3 +368,11 @@ def test_a_callback_of_a_pin_runs_where_the_device_says_so(tmp_path: Path) -> No
     said = said_of(reported(file), "topic:/out")
     assert said is not None
     assert "device" in said.trigger
+
+
+def test_how_often_diagnostics_are_made_is_not_in_them(tmp_path: Path) -> None:
+    file = tmp_path / "robot.py"
+    file.write_text(HEAD + textwrap.dedent(DIAGNOSES))
+    said = said_of(reported(file), "topic:/diagnostics")
+    assert said is not None
+    assert said.data == {"topic:/in"}

@@ -195,22 +195,29 @@ def test_launch_files_are_no_nodes(tmp_path: Path) -> None:
             "launch/deep/c.py": launch,
             "launch/helper.py": "x = 1\n",
             "launch/writer.py": "# generate_launch_description\nTEXT = 'def generate_launch_description():'\n",
+            "launch/template.py": 'TEXT = """\ndef generate_launch_description():\n    pass\n"""\n',
             "launch/taken.py": "from demo.common import (\n    generate_launch_description,\n)\n",
+            "launch/taken_late.py": "import sys; sys.path.append('..'); from demo.common import generate_launch_description\n",
+            "launch/set.py": "from demo.common import made\nglobals()['generate_launch_description'] = made\n",
+            "launch/broken.py": "def generate_launch_description(:\n",
             "d_launch.py": launch,
             "e.py": launch,
             "launch/f.launch.xml": "",
             "g.launch": "",
         },
     )
-    assert names(found) == ["e.py", "launch/helper.py", "launch/writer.py"]
+    assert names(found) == ["e.py", "launch/helper.py", "launch/template.py", "launch/writer.py"]
     assert [file.relative for file in found.launch_files] == [
         "a.launch.py",
         "d_launch.py",
         "g.launch",
         "launch/b.py",
+        "launch/broken.py",
         "launch/deep/c.py",
         "launch/f.launch.xml",
+        "launch/set.py",
         "launch/taken.py",
+        "launch/taken_late.py",
     ]
 
 

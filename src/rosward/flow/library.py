@@ -11,7 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.values import Function
+from rosward.domain.compound import BoundMethod, function_behind
+from rosward.domain.values import Function, Value
+from rosward.engine.running.seen import refs_of
 from rosward.flow import arrays, hidden
 from rosward.flow.marks import NOTHING, Mark, Root, decided, demoted, name_of, of_library
 from rosward.flow.outside import cleaned, comes_in, out
@@ -124,6 +126,15 @@ def of_base(walker: Walker, address: int, name: str) -> Mark:
         for kind in said.sources:
             found |= comes_in(walker, kind)
     return Mark(found, frozenset(roots))
+
+
+def brought_to(walker: Walker, callback: Value) -> int:
+    """What comes in where a base class that nobody knows calls a method of the program, as marks say: `def on_message(self, …)` of a client."""
+    function, found = function_behind(callback), 0
+    if isinstance(callback, BoundMethod) and function is not None:
+        for address in refs_of(callback.receiver):
+            found |= of_base(walker, address, function.code.name).mask
+    return found
 
 
 def put_there(walker: Walker, owner: Mark, name: str, function: Mark, pc: int) -> tuple[tuple[Mark], int]:

@@ -17,13 +17,13 @@ from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.running.seen import refs_of
 from rosward.engine.unknown.escape import BY_BASE, BY_LIBRARY, BY_PYTHON, BY_WINDOW
-from rosward.flow import blocks, hidden, implicit, straight
+from rosward.flow import blocks, hidden, implicit, library, straight
 from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send, sink_of
 from rosward.flow.cpp import calls as cpp_calls
 from rosward.flow.cpp import operations as cpp
-from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
+from rosward.flow.marks import NOTHING, Mark, Root, decided, demoted, triggering
 from rosward.flow.said import wrong_marks
 from rosward.flow.stored.content import Content, TooLongError
 from rosward.flow.stored.memory import Memory
@@ -195,8 +195,8 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     if entry.event == "log":
         given |= hidden.logged(walker)
     if _implicit(walker, entry):
-        told = implicit.arguments_of(walker, entry.callback)
-        given |= told.mask
+        told, brought = implicit.arguments_of(walker, entry.callback), library.brought_to(walker, entry.callback)
+        given, pc = given | told.mask | brought, pc | decided(brought)
         handed = handed or [told] * _free(entry)
     if root.code.language == CPP or seen.bound:
         result = cpp_calls.begin(walker, root, arguments, given, pc)

@@ -15,6 +15,7 @@ from typing import Final
 from rosward.domain.compound import External, Native
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Unknown, Value
+from rosward.source.standard_library import STANDARD_LIBRARY
 
 _WINDOWS: Final = {
     "PyQt4", "PyQt5", "PyQt6", "PySide2", "PySide6", "python_qt_binding", "tkinter", "Tkinter", "customtkinter", "pygame",
@@ -41,7 +42,8 @@ _FOREIGN: Final = _READ | {
 """Libraries that create nothing on a node that they get hold of: they know nothing of ROS."""
 
 _NO_NODES: Final = _FOREIGN | {
-    "aiohttp", "aiortc", "anthropic", "av", "azure", "bleak", "bluetooth", "board", "boto3", "bs4", "busio", "canopen", "cantools", "casadi",
+    "actionlib", "aiohttp", "aiortc", "anthropic",
+    "av", "azure", "bleak", "bluetooth", "board", "boto3", "bs4", "busio", "canopen", "cantools", "casadi",
     "crcmod", "Crypto", "cryptography", "cvxpy", "dash", "depthai", "digitalio", "discord", "docker", "dotenv", "dronekit", "dynamixel_sdk",
     "easyocr", "evdev", "face_recognition", "fastapi", "filterpy", "flask", "flask_cors", "flask_socketio", "folium", "geographiclib",
     "geopy", "google", "gpiozero", "gradio", "grpc", "gtts", "gym", "gymnasium", "h5py", "httpx", "image_geometry", "imageio", "imutils",
@@ -50,7 +52,8 @@ _NO_NODES: Final = _FOREIGN | {
     "nicegui", "numba", "odrive", "ollama", "openai", "osqp", "paho", "paramiko", "pexpect", "picamera", "picamera2", "pigpio", "pinocchio",
     "playsound", "plotly", "PyKDL", "prompt_toolkit", "psutil", "psycopg2", "pupil_apriltags", "pyaudio", "pyautogui", "pybullet", "pycuda",
     "pydantic", "pydub", "pymavlink", "pymodbus", "pymongo", "pynmea2", "pynput", "pyproj", "pyqtgraph", "pyrealsense2", "pyttsx3", "pytz",
-    "pyudev", "pyzbar", "readchar", "redis", "rich", "rosbags", "rospy", "ruamel", "shapely", "simple_pid", "slack_sdk", "smach", "socketio",
+    "pyudev", "pyzbar", "rclpy_message_converter", "readchar", "redis", "rich", "rosbag", "rosbags", "rospy",
+    "ruamel", "shapely", "simple_pid", "slack_sdk", "smach", "socketio",
     "sounddevice", "soundfile", "spatialmath", "speech_recognition", "sqlalchemy", "sshkeyboard", "stable_baselines3", "starlette",
     "streamlit", "supervision", "telegram", "tensorrt", "textual", "torchaudio", "tornado", "tqdm", "transformers", "trimesh", "twilio",
     "typer", "ultralytics", "usb", "utm", "uvicorn", "vosk", "webrtcvad", "websocket", "websockets", "werkzeug", "whisper", "wx", "xarm",
@@ -87,11 +90,8 @@ def makes_no_node(callee: External) -> bool:
 
 
 def knows_no_types(callee: Value) -> bool:
-    """Whether it is known of what is called that it creates nothing with an interface type: its library has no nodes."""
-    return all(
-        name.partition(".")[0] in _NO_NODES or _OF_ROS.match(name) is not None or creates_nothing(External(name))
-        for name in _dotted(callee)
-    )
+    """Whether it is known of what is called that it creates nothing with an interface type: Python itself, or a library without nodes."""
+    return all(name.partition(".")[0] in STANDARD_LIBRARY or makes_no_node(External(name)) for name in _dotted(callee))
 
 
 def decisive(bases: Iterable[Value]) -> Value | None:

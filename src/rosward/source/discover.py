@@ -26,6 +26,7 @@ from rosward.source.build_script import is_build_script
 from rosward.source.exclude import Exclusion, Exclusions
 from rosward.source.executables import executables
 from rosward.source.imports import ImportResolver
+from rosward.source.launch_function import makes_launch
 from rosward.source.layout import Layout
 from rosward.source.left_out import left_out, named_few
 from rosward.source.ros_1 import of_ros_1
@@ -41,8 +42,6 @@ if TYPE_CHECKING:
 
 _LEVELS_ABOVE: Final = 12
 _OTHERS_TOO: Final = ("_launch.yaml", "_launch.yml")
-_MAKES_LAUNCH: Final = re.compile(rb"^[^'\"#\n]*\bgenerate_launch_description\b", re.MULTILINE)
-"""The function is made or imported there; what writes launch files has its name in texts alone."""
 _LAUNCH_KEY: Final = re.compile(rb"^(?:\xef\xbb\xbf)?(?:---|!!map)?[\s{?]*[\"']?launch[\"']?\s*:", re.MULTILINE)
 
 
@@ -202,7 +201,7 @@ def _is_launch(path: str) -> bool:
     if not name.endswith("launch.py") and "launch" not in Path(folder).parts[-3:]:
         return False
     data = read_bytes(path, path, limits.PYTHON_FILE)
-    return isinstance(data, bytes) and _MAKES_LAUNCH.search(data) is not None
+    return isinstance(data, bytes) and makes_launch(data)
 
 
 def _has_key(path: str) -> bool:

@@ -14,7 +14,7 @@ from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, 
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import abstract, attributes, contents, hidden_fields, members, metaclasses, subclass_hooks
 from rosward.engine.python.own_methods import own_methods
-from rosward.engine.running.frame import Frame
+from rosward.engine.running.frame import Frame, own_frame
 from rosward.engine.unknown.escape import BY_BASE, BY_WINDOW, name_of
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
@@ -126,7 +126,9 @@ def make_by_call(machine: Engine, meta: Value, args: tuple[Value, ...], keywords
     else:
         label = name.value if isinstance(name, Const) else "class made by type()"
         address = machine.place_at(("type", machine.place, name, plain), Obj("class", meta))
-        cls = Class(address, str(label), str(label), "", plain, _linearise(plain), machine.place, False)
+        frame = own_frame(machine.frames)
+        module = "" if frame is None else frame.module.name
+        cls = Class(address, str(label), str(label), module, plain, _linearise(plain), machine.place, False)
     metaclasses.fill(machine, cls, names)
     return complete(machine, cls, keywords)
 

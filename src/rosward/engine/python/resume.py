@@ -160,7 +160,12 @@ def _ways_out(blocks: tuple[ops.Block, ...], *, nested: bool) -> set[str]:
             found.add("raised")
         elif not nested and op.__class__ in _JUMPS:
             found.add(_JUMPS[op.__class__])
-        found |= _ways_out(getattr(op, "blocks", ()), nested=nested or op.__class__ in (ops.ForEach, ops.While))
+        inner = getattr(op, "blocks", ())
+        if op.__class__ in (ops.ForEach, ops.While):  # what its `else` says, it says of the loop around
+            *turns, orelse = inner
+            found |= _ways_out(tuple(turns), nested=True)
+            inner = (orelse,)
+        found |= _ways_out(inner, nested=nested)
     return found
 
 

@@ -310,6 +310,7 @@ def _make_class(call: NativeCall) -> Value:
     if not members:
         return machine.unknown(Cause.CALL, "enum.Enum")
     made = text_of(name) or "Enum"
+    members["__module__"] = machine.unknown(Cause.CALL, "__module__", "str")  # of whoever asks for the class
     where = machine.allocate(Obj("class", Native("builtins.type"), members))
     bases: tuple[Value, ...] = (base,) if kind == NONE else (kind, base)
     kinds = kind.mro if isinstance(kind, Class) else bases[:-1]

@@ -43,6 +43,7 @@ def _make(call: NativeCall) -> Value:
         return machine.unknown(Cause.CALL, "collections.namedtuple")
     given = exact_list(machine, defaults) or ()
     attrs: dict[str, Value] = {
+        "__module__": machine.unknown(Cause.CALL, "__module__", "str"),  # of whoever asks for the class
         "_fields": Tuple(tuple(map(Const, names))),
         "__match_args__": Tuple(tuple(map(Const, names))),
         "_field_defaults": machine.new_dict(

@@ -4,28 +4,38 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
-from _rosward import unknown
+from _rosward import pure
+
+pure(__name__)
+
+
+def _text(*content) -> str: ...
+def _level(*content) -> bytes: ...
+def _values(*content) -> list: ...
+
 
 class DiagnosticStatusWrapper:
     def __init__(self, *args, **kwds):
         self._content = []
-        self.name = unknown("call", "name of a diagnostic status", "str")
-        self.hardware_id = unknown("call", "hardware of a diagnostic status", "str")
-        self.level = unknown("call", "level of a diagnostic status")
-        self.message = unknown("call", "message of a diagnostic status", "str")
-        self.values = unknown("call", "values of a diagnostic status", "list")
+        self.name = _text()
+        self.hardware_id = _text()
+        self.level = _level()
+        self.message = _text()
+        self.values = _values()
 
     def summary(self, *args):
         self._content.extend(args)
-        self.level = unknown("call", "level of a diagnostic status")
-        self.message = unknown("call", "message of a diagnostic status", "str")
+        self.level = _level(*args)
+        self.message = _text(*args)
 
     def clearSummary(self):
         self.summary(0, "")
 
     def mergeSummary(self, *args):
-        self.summary(*args)
+        self._content.extend(args)
+        self.level = _level(self.level, *args)
+        self.message = _text(self.message, *args)
 
     def add(self, key, val):
         self._content.extend((key, val))
-        self.values = unknown("call", "values of a diagnostic status", "list")
+        self.values = _values(self.values, key, val)

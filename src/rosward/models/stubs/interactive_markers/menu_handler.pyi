@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """interactive_markers.menu_handler (2024-03)."""
 
-from _rosward import message, reads_only, schedule, unknown
-from visualization_msgs.msg import InteractiveMarkerFeedback, MenuEntry
+from _rosward import reads_only, unknown
+from visualization_msgs.msg import MenuEntry
 
 
 @reads_only
@@ -11,11 +11,12 @@ class MenuHandler:
     CHECKED = 1
     UNCHECKED = 2
 
-    def __init__(self): ...
+    def __init__(self):
+        self._callbacks = []
 
     def insert(self, title, parent=None, command_type=MenuEntry.FEEDBACK, command="", callback=None):
         if callback is not None:
-            schedule(callback, message(InteractiveMarkerFeedback), event="message")
+            self._callbacks.append(callback)
         return unknown("live", "handle of a menu entry", "int")
 
     def setVisible(self, handle, visible) -> bool: ...
@@ -28,8 +29,12 @@ class MenuHandler:
     def getTitle(self, handle):
         return unknown("live", "title of a menu entry")
 
-    def apply(self, server, marker_name) -> bool: ...
+    def apply(self, server, marker_name):
+        server.setCallback(marker_name, self.processFeedback)
+        return unknown("live", "markers", "bool")
 
     def reApply(self, server) -> bool: ...
 
-    def processFeedback(self, feedback) -> None: ...
+    def processFeedback(self, feedback):
+        for callback in self._callbacks:
+            callback(feedback)
