@@ -160,7 +160,7 @@ def _ways_out(blocks: tuple[ops.Block, ...], *, nested: bool) -> set[str]:
             found.add("raised")
         elif not nested and op.__class__ in _JUMPS:
             found.add(_JUMPS[op.__class__])
-        inner = getattr(op, "blocks", ())
+        inner: tuple[ops.Block, ...] = getattr(op, "blocks", ())
         if op.__class__ in (ops.ForEach, ops.While):  # what its `else` says, it says of the loop around
             *turns, orelse = inner
             found |= _ways_out(tuple(turns), nested=True)
