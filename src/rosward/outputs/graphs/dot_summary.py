@@ -99,7 +99,8 @@ def _shape(group: str, number: int, alone: Mapping[str, Node]) -> str:
         looks = f'shape={look.shape}, fillcolor="{look.fill}", color="{look.line}", class="ros-node"'
         label = [_shortened(node.display_name), *([] if known else ["unknown"])]
         return f"{quoted(group)} [label={label_of(label)}, {looks}]"
-    looks = f'shape=box, style="rounded,filled", peripheries=2, fillcolor="#e8ebef", color="{_GREY}", class="ros-group"'
+    box = 'shape=box, style="rounded,filled", peripheries=2, margin="0.2,0.04"'  # a wider font still stays inside
+    looks = f'{box}, fillcolor="#e8ebef", color="{_GREY}", class="ros-group"'
     return f"{quoted(group)} [label={label_of([_shortened(group), f'{number} nodes'])}, {looks}]"
 
 

@@ -4,13 +4,20 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
-from _rosward import pure
+from _rosward import pure, reads_only
 
 pure(__name__)
 
 
+@reads_only
 def _text(*content) -> str: ...
+
+
+@reads_only
 def _level(*content) -> bytes: ...
+
+
+@reads_only
 def _values(*content) -> list: ...
 
 
