@@ -376,3 +376,43 @@ def test_how_often_diagnostics_are_made_is_not_in_them(tmp_path: Path) -> None:
     said = said_of(reported(file), "topic:/diagnostics")
     assert said is not None
     assert said.data == {"topic:/in"}
+
+
+def test_what_is_read_from_a_pin_or_a_port_comes_from_the_device(tmp_path: Path) -> None:
+    file = tmp_path / "robot.py"
+    file.write_text(
+        HEAD
+        + textwrap.dedent("""
+        import serial
+        from gpiozero import Button, DistanceSensor
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.button, self.ahead = Button(4), DistanceSensor(echo=17, trigger=4)
+                self.port = serial.Serial('/dev/ttyUSB0')
+                self.ask = self.port.write
+                for topic in ('pressed', 'ahead', 'waiting', 'constant'):
+                    setattr(self, topic + '_out', self.create_publisher(Float64, topic, 10))
+                self.create_timer(1.0, self.tick)
+
+            def tick(self):
+                if self.button.is_pressed:
+                    self.pressed_out.publish(Float64(data=1.0))
+                self.ahead_out.publish(Float64(data=self.ahead.distance * 2))
+                self.waiting_out.publish(Float64(data=float(self.port.in_waiting)))
+                self.constant_out.publish(Float64(data=float(bool(self.ask))))
+
+        rclpy.init()
+        rclpy.spin(Robot())
+        """)
+    )
+    rows = reported(file)
+    pressed, ahead, waiting, constant = (
+        said_of(rows, f"topic:/{name}") for name in ("pressed", "ahead", "waiting", "constant")
+    )
+    assert pressed is not None
+    assert ahead is not None
+    assert waiting is not None
+    assert pressed.control == ahead.data == waiting.data == {"device"}
+    assert constant is None or not constant.data

@@ -8,7 +8,7 @@ cv2.rectangle(image, …)           nobody knows: the image, and the result, may
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, function_behind
@@ -17,7 +17,8 @@ from rosward.engine.running.seen import refs_of
 from rosward.flow import arrays, hidden
 from rosward.flow.marks import NOTHING, Mark, Root, decided, demoted, name_of, of_library
 from rosward.flow.outside import cleaned, comes_in, out
-from rosward.flow.reading import each_of, of_classes, opaque, owners_of
+from rosward.flow.reading import each_of, of_classes, opaque, owners_of, part_of
+from rosward.models.flow_marks import NO_MARK
 
 if TYPE_CHECKING:
     from rosward.flow.body import Body
@@ -124,6 +125,19 @@ def of_base(walker: Walker, address: int, name: str) -> Mark:
         if said.is_known:
             roots.add(of_library(f"{base}.{name}"))
         for kind in said.sources:
+            found |= comes_in(walker, kind)
+    return Mark(found, frozenset(roots))
+
+
+def attribute(walker: Walker, owners: Iterable[tuple[object, ...]], name: str) -> Mark:
+    """What objects of libraries have under a name, and what comes in where it is read, as marks say: `button.is_pressed`."""
+    found, roots = 0, set[Root]()
+    for owner in owners:
+        part = of_library(f"{owner[1]}.{name}") if owner[0] == "external" else part_of(owner, name)
+        roots.add(part)
+        dotted = name_of(part)
+        said = walker.shape.said(dotted) if dotted else NO_MARK
+        for kind in said.sources if said.attribute else ():
             found |= comes_in(walker, kind)
     return Mark(found, frozenset(roots))
 

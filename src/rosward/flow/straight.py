@@ -18,7 +18,7 @@ from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of,
 from rosward.flow.native import frames
 from rosward.flow.native.constructed import attributes
 from rosward.flow.native.partials import bound_in
-from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of
+from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque
 from rosward.flow.stored.content import Content
 from rosward.ir import ops
 from rosward.ir.registers import reads, writes
@@ -173,8 +173,8 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         found = memory.part(cls, name).read(name)
         mask |= found.mask
         roots |= found.roots if seen.opaque else opaque(found)
-    for named in opaque(owner):
-        roots.add(of_library(f"{named[1]}.{name}") if named[0] == "external" else part_of(named, name))
+    found = library.attribute(walker, opaque(owner), name)
+    mask, roots = mask | found.mask, roots | found.roots
     if given is not None:
         mask, roots = mask | given.mask, roots | leads(seen, given)
         _kept(walker, owner, op.name, given.under(body.pc))

@@ -28,6 +28,7 @@ class FlowMark(NamedTuple):
     """All marks of one function. `stops` and `changes` are its parameters; `self` is what it is called on, `*` any of them.
 
     `hands`: the classes of the arguments with which it calls what it is given, by their dotted names.
+    `attribute`: it is a property: to read it is to call it.
     """
 
     sinks: tuple[str, ...] = ()
@@ -38,6 +39,7 @@ class FlowMark(NamedTuple):
     stops: tuple[str, ...] = ()
     changes: tuple[str, ...] = ()
     hands: tuple[str, ...] = ()
+    attribute: bool = False
 
     @property
     def is_known(self) -> bool:

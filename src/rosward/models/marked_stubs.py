@@ -101,7 +101,8 @@ class _Reader:
 
     def _function(self, node: ast.FunctionDef | ast.AsyncFunctionDef) -> Scope:
         names = tuple(a.arg for a in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs))
-        found = Scope(self._mark(node.decorator_list, names))
+        mark = self._mark(node.decorator_list, names)
+        found = Scope(mark if mark is None else mark._replace(attribute=_is_property(node)))
         found.gives = _class_name(node.returns)
         found.writes = _writes_to_self(node)
         return found
@@ -189,6 +190,10 @@ def _writes_to_self(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and _begins_with(node.func, first):
             return True
     return False
+
+
+def _is_property(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
+    return any(isinstance(each, ast.Name) and each.id == "property" for each in function.decorator_list)
 
 
 def _begins_with(node: ast.expr, name: str) -> bool:
