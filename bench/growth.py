@@ -243,6 +243,9 @@ KINDS: Final[dict[str, Kind]] = {
     "C++: subscriptions": Kind(_cpp_callbacks, _MORE_STEPS),
     "C++: methods": Kind(_cpp_methods),
     "C++: calls of one function": Kind(_cpp_loops),
+    "C++: casts": Kind(
+        lambda n: _cpp([f"at_ = static_cast<int>(at_) + {i};" for i in range(n)], "  int at_ = 0;\n"),
+    ),
     "C++: programs": Kind(
         lambda n: {
             f"n{i}.cpp": _cpp([f'kept_.push_back(create_publisher<String>("t{i}", 1));'])["n.cpp"] for i in range(n)

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final, Literal, final
 
+from rosward.frontends.cpp.lower.kept import Kept
 from rosward.frontends.cpp.lower.lvalues import is_lvalue, kind_of_result
 from rosward.frontends.cpp.lower.survey import Survey, word
 from rosward.frontends.cpp.lower.undecided import Undecided
@@ -103,7 +104,6 @@ class Body:
         "cell_names",
         "cells",
         "constant_this",
-        "converted",
         "depth",
         "effects",
         "floor",
@@ -112,6 +112,7 @@ class Body:
         "function",
         "has_this",
         "jumps",
+        "kept",
         "late",
         "loops",
         "ops",
@@ -134,9 +135,7 @@ class Body:
         self.registers = 0
         self.free_register = 0
         self.floor = 0  # registers below it hold variables
-        self.converted: set[int] = (
-            set()
-        )  # registers of casts: the engine keeps what each says, so that they hold nothing else
+        self.kept = Kept()  # registers of casts
         self.scopes: list[Scope] = [Scope(0)]
         self.variables: list[str] = []  # the names of the first registers
         self.cells: list[str] = []
@@ -163,9 +162,7 @@ class Body:
 
     def register(self) -> int:
         """A new temporary."""
-        number = self.free_register
-        while number in self.converted:
-            number += 1
+        number = self.kept.free_from(self.free_register)
         self.free_register = number + 1
         self.registers = max(self.registers, number + 1)
         return number
@@ -173,7 +170,7 @@ class Body:
     def emit(self, op: Op) -> None:
         """Put an operation into the current block."""
         if isinstance(op, (Convert, Assign)):
-            self.converted.add(op.dst if isinstance(op, Convert) else op.slot)
+            self.kept.keep(op.dst if isinstance(op, Convert) else op.slot)
         if isinstance(op, _CHANGING) and getattr(op, "name", "") not in _ASKING:
             self.effects += 1
         self.ops.append(op)
