@@ -10,6 +10,7 @@ from rosward.domain.values import NONE, Class, Function, Ref, Value
 from rosward.engine.cpp import names
 from rosward.engine.cpp.binding import deduce
 from rosward.engine.cpp.categories import cast_to
+from rosward.engine.cpp.handing import is_a
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
@@ -68,8 +69,7 @@ def is_copying(info: Info, symbol: Symbol) -> bool:
 
 def is_one(machine: Engine, value: Value, cls: Class) -> bool:
     """Whether a value is an object of a class, or of one that derives from it."""
-    found = options(read(machine, value))
-    return all(isinstance(o, Ref) and isinstance(c := machine.obj(o).cls, Class) and cls in c.mro for o in found)
+    return all(is_a(machine, option, cls) for option in options(read(machine, value)))
 
 
 def is_copy(machine: Engine, info: Info, args: tuple[Value, ...]) -> bool:

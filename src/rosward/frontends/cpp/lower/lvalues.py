@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, Literal
 
-from rosward.frontends.cpp.lower.survey import assigned_member, through_member, word
+from rosward.frontends.cpp.lower.survey import is_through, word
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -40,7 +40,7 @@ def is_lvalue(node: Node) -> bool:
             if here.children[0].type not in {"++", "--"}:
                 return False
         elif kind == "binary_expression":
-            if through_member(here) is None and assigned_member(here) is None:
+            if not is_through(here):
                 return False
         elif kind not in _LVALUES:
             return False

@@ -13,8 +13,8 @@ from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import last_part, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.narrowing import COMPARE, condition, conjunction, split
 from rosward.frontends.cpp.lower.seen import again, is_constant, led_to, seen_scope
-from rosward.frontends.cpp.lower.survey import is_apart, operator_of, word
-from rosward.frontends.cpp.lower.through import factors, is_through, through, value_through
+from rosward.frontends.cpp.lower.survey import is_apart, is_through, operator_of, word
+from rosward.frontends.cpp.lower.through import factors, through, value_through
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.suited import THROW
 from rosward.ir.arithmetic import common

@@ -100,6 +100,11 @@ def assigned_member(node: Node) -> tuple[Node, Node] | None:
     return (left, inner) if inner is not None and left is not None and inner.type == "assignment_expression" else None
 
 
+def is_through(node: Node) -> bool:
+    """Whether an expression is a member behind a pointer to it, or assigns one."""
+    return through_member(node) is not None or assigned_member(node) is not None
+
+
 def member_behind(node: Node) -> Node | None:
     """What stands behind `.*` or `->*`; before it is a product, of which the last factor is meant: `2 * o.*m`."""
     operator, left, right = (node.child_by_field_name(name) for name in ("operator", "left", "right"))
@@ -122,7 +127,7 @@ def _is_product(node: Node) -> bool:
 
 def is_apart(node: Node) -> bool:
     """Whether an expression with two sides is none of operators that are asked one after the other."""
-    return through_member(node) is not None or assigned_member(node) is not None or through_number(node) is not None
+    return is_through(node) or through_number(node) is not None
 
 
 _CONSTANTS: Final = frozenset({"number_literal", "char_literal", "true", "false"})

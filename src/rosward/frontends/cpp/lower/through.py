@@ -19,11 +19,6 @@ Pair = tuple["Node", "Node"]
 """The object, or the pointer to it, and the pointer to its member."""
 
 
-def is_through(node: Node) -> bool:
-    """Whether an expression is a member behind a pointer to it, or assigns one."""
-    return through_member(node) is not None or assigned_member(node) is not None
-
-
 def through(body: Body, node: Node, want: Want) -> int:
     """`o.*m`, `o.*m = a`."""
     pair, assigned = through_member(node), assigned_member(node)
