@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 __all__ = ["cache_folder", "kept", "program_key", "read_own", "write_own"]
 
 _PACKAGE: Final = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))  # noqa: PTH100, PTH120  no Path where start-up counts
-_SUFFIXES: Final = (".py", ".pyi", ".yaml", ".js", ".css", ".html", ".json")
+_SUFFIXES: Final = (".py", ".pyi", ".hpp", ".yaml", ".js", ".css", ".html", ".json")
 _LARGEST: Final = 64 * 1024**2
 _OTHERS: Final = 6
 """So many entries of other versions are left in the folder."""

@@ -10,10 +10,12 @@ import pytest
 from casefile import read_cases, run_case
 
 import rosward.models.cpp
+from rosward.frontends.cpp import model_headers as reading
 from rosward.frontends.cpp.model_headers import YIELDING, library_of, model_headers, modelled
 from rosward.frontends.cpp.parse import CppParser
 from rosward.models.flow_marks import MARKS as FLOW_MARKS
 from rosward.models.tables import cpp_natives
+from rosward.ros.distro import Distro
 
 HEADERS = sorted((Path(rosward.models.cpp.__file__).parent / "headers").rglob("*.hpp"))
 ASKED = re.compile(r"\brosward::(\w+)\b")
@@ -43,6 +45,18 @@ def test_headers_are_read_once_for_each_version_of_a_library() -> None:
     old, new = (model_headers(each, CppParser()) for each in versions)
     assert old is not new
     assert [model_headers(each, CppParser()) for each in versions] == [old, new]
+
+
+@pytest.mark.parametrize("distro", Distro)
+def test_what_the_preprocessor_leaves_of_them_is_kept(
+    distro: Distro, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROSWARD_CACHE", str(tmp_path))
+    versions = {"RCLCPP_VERSION_GTE": distro.facts.rclcpp}
+    made = list(reading._prepare(versions))
+    first = reading._prepared(versions)
+    monkeypatch.setattr(reading, "_prepare", None)
+    assert made == first == reading._prepared(versions)
 
 
 def test_a_program_leaves_nothing_behind_in_them(tmp_path: Path) -> None:

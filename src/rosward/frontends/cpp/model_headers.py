@@ -3,20 +3,25 @@
 
     models/cpp/headers/rclcpp/node.hpp      what rclcpp::Node does, in C++: a file "models:rclcpp/node.hpp" of every program
 
-Each is read by itself: none includes another, as all of them are there.
+Each is read by itself: none includes another, as all of them are there. What the preprocessor leaves of them is the same in every run of one
+installed rosward, and takes longer than to parse it: it is kept (`source/kept.py`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import hashlib
+import json
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Final
 
 from rosward.findings import Finding
 from rosward.frontends.cpp.parse import CppParser
+from rosward.frontends.cpp.prepared import Prepared
 from rosward.frontends.cpp.preprocess import Preprocessor
 from rosward.frontends.cpp.store import Versions
 from rosward.frontends.cpp.symbol_file import FileSymbols, Seen
+from rosward.source.kept import kept
 
 PREFIX: Final = "models:"
 """What the names of files that are models begin with."""
@@ -44,15 +49,41 @@ def model_headers(versions: Versions, parser: CppParser) -> Sequence[FileSymbols
 
 
 def _read_all(versions: Versions, parser: CppParser) -> list[FileSymbols]:
-    preprocessor = Preprocessor(_read, _named, lambda *_: None, versions)
     seen = Seen()
+    for prepared in _prepared(versions):
+        parsed = parser.parse(prepared)
+        if not isinstance(parsed, Finding):
+            seen.files.append(FileSymbols(parsed, seen, source=False))
+    return seen.files
+
+
+def _prepared(versions: Versions) -> list[Prepared]:
+    """The models without comments, directives and macros: as they were kept, where that can be."""
+    told = json.dumps(sorted(versions.items())).encode()
+    content = kept(f"headers.{hashlib.sha256(told).hexdigest()[:16]}", lambda: _written(_prepare(versions)))
+    if content is None:
+        return list(_prepare(versions))
+    return [
+        Prepared(str(_HEADERS / file.removeprefix(PREFIX)), file, text, expanded=frozenset(expanded))
+        for file, text, expanded in json.loads(content)
+    ]
+
+
+def _written(headers: Iterator[Prepared]) -> bytes | None:
+    """Headers of which there is nothing more to say than their text; None where there is of one."""
+    entries = []
+    for header in headers:
+        if header != Prepared(header.path, header.file, header.text, expanded=header.expanded):
+            return None
+        entries.append((header.file, header.text, sorted(header.expanded)))
+    return json.dumps(entries).encode()
+
+
+def _prepare(versions: Versions) -> Iterator[Prepared]:
+    preprocessor = Preprocessor(_read, _named, lambda *_: None, versions)
     for folder in _folders():
         for path in sorted(folder.rglob("*.hpp")):
-            for prepared in preprocessor.translate(str(path), (), ()).files:
-                parsed = parser.parse(prepared)
-                if not isinstance(parsed, Finding):
-                    seen.files.append(FileSymbols(parsed, seen, source=False))
-    return seen.files
+            yield from preprocessor.translate(str(path), (), ()).files
 
 
 def library_of(file: FileSymbols) -> str:
