@@ -24,6 +24,7 @@ MAX_NUMBERS: Final = 12
 MAX_CALLABLES: Final = 256
 """Alternatives that can be called are given up later than others: with them goes what they would do."""
 MAX_REASONS: Final = 4
+_NUMBERS: Final = (int, float)
 _NOWHERE: Final = Place("", 0)
 _BEHAVIOUR: Final = "functions"
 _APART: Final = frozenset((Ref, Pointer, Slot, Function, Class, BoundMethod, Partial, External))
@@ -125,10 +126,16 @@ def _merged(values: Iterable[Value]) -> dict[Value, None]:
 
 def _bounded(values: tuple[Value, ...]) -> Value:
     """Many alternatives: numbers, of which names are seldom made, are given up sooner than texts, and these sooner than objects."""
-    numbers = [v for v in values if v.__class__ is Const and v.value.__class__ in (int, float)]
-    if len(numbers) > MAX_NUMBERS:
-        rest = [v for v in values if not (v.__class__ is Const and v.value.__class__ in (int, float))]
-        return join_all([*rest, generalise(tuple(numbers))])
+    rest: list[Value] = []
+    kinds: list[type] = []  # of numbers
+    for value in values:
+        if value.__class__ is Const and value.value.__class__ in _NUMBERS:
+            kinds.append(value.value.__class__)
+        else:
+            rest.append(value)
+    if len(kinds) > MAX_NUMBERS:
+        hint = kinds[0].__name__ if kinds.count(kinds[0]) == len(kinds) else ""
+        return join_all([*rest, Unknown((Reason(Cause.MANY, "", _NOWHERE),), hint)])
     if len(values) <= MAX_OPTIONS:
         return Choice(values)
     plain = tuple([v for v in values if v.__class__ in _PLAIN])
