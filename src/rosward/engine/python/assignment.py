@@ -43,6 +43,12 @@ def open_up(machine: Engine, value: Value) -> None:
             machine.put(address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
 
 
+def opened_up(machine: Engine, function: Function) -> bool:
+    """Whether a library that is not read was given a function, as by a decorator: it may call it with other arguments than its caller gives."""
+    record = machine.own(machine.library.function_address(function))
+    return record is not None and ANY_ATTRIBUTE in record.partial
+
+
 def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
     """target.name = value; False where this raises for sure."""
     several = target.__class__ is Choice

@@ -19,7 +19,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.calls import activation
 from rosward.engine.calls.alternatives import each_apart
-from rosward.engine.python import attributes, classes, decorating, members, native_calls, object_methods
+from rosward.engine.python import assignment, attributes, classes, decorating, members, native_calls, object_methods
 from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.running.catcher import LIBRARY
@@ -301,16 +301,9 @@ def call_function(machine: Engine, function: Function, args: Arguments, keywords
     try:
         registers = bind_arguments(machine, function, args, keywords)
     except BadCallError as error:
-        # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
-        exact = not declared.is_model(function) or function.module.name.startswith(machine.library.facts.exact)
-        message = f"this call of {code.qualname} {'may raise' if machine.choosing else 'raises'} TypeError: {error}"
-        if exact and machine.choosing > _FEW_CALLEES:
-            machine.refused.append(message)
-        elif exact:
-            machine.report("RW209", message)
-        note(machine)
         keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}
-        registers = bind_arguments(machine, function, args, {**keywords, ANY: machine.unknown(Cause.ERROR, str(error))})
+        missing = _missing_argument(machine, function, error)
+        registers = bind_arguments(machine, function, args, {**keywords, ANY: missing})
     if machine.catchers and declared.may_raise(machine, function, registers):
         note(machine, LIBRARY)
     if function.effects:
@@ -322,6 +315,25 @@ def call_function(machine: Engine, function: Function, args: Arguments, keywords
     if code.is_generator or code.is_coroutine:
         return machine.make_generator(function, registers)
     return activation.invoke(machine, function, registers)
+
+
+def _missing_argument(machine: Engine, function: Function, error: BadCallError) -> Value:
+    """What a parameter holds where the arguments do not fit: what a decorator gives it, which may be called with others; else the program fails.
+
+    What follows then is followed all the same: when the call is mended it is what runs.
+    """
+    if assignment.opened_up(machine, function):
+        return machine.unknown(Cause.CALL, f"decorator of {function.code.qualname}")
+    exact = not declared.is_model(function) or function.module.name.startswith(machine.library.facts.exact)
+    message = (
+        f"this call of {function.code.qualname} {'may raise' if machine.choosing else 'raises'} TypeError: {error}"
+    )
+    if exact and machine.choosing > _FEW_CALLEES:
+        machine.refused.append(message)
+    elif exact:
+        machine.report("RW209", message)
+    note(machine)
+    return machine.unknown(Cause.ERROR, str(error))
 
 
 def wait_for(machine: Engine, value: Value) -> Value:

@@ -27,6 +27,8 @@ _QUESTIONS: Final = ("is_", "has_", "isgenerator", "iscoroutine", "isasync", "is
 _ABOUT: Final = frozenset({"ast", "dis", "gc", "inspect", "json", "pickle", "pprint", "pydoc", "sys"})
 """Modules of Python whose functions say something about a function or class: none is a decorator without a model."""
 
+_LAMBDA: Final = "<lambda>"
+
 
 def hand(machine: Engine, callee: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value | None:
     """What code that is not known makes of the one function or class that it is called with; None where it is called with something else.
@@ -45,7 +47,7 @@ def hand(machine: Engine, callee: Value, args: tuple[Value, ...], keywords: dict
     else:
         escape(machine, args, name_of(callee), callee)
     assignment.open_up(machine, behind)
-    return _made_of(machine, callee, given)
+    return _made_of(machine, callee, given, behind)
 
 
 def _behind(given: Value) -> Function | Class | None:
@@ -63,7 +65,7 @@ def _stands_above(machine: Engine, behind: Function | Class) -> bool:
     if isinstance(behind, Class):
         return machine.place.file == behind.place.file and machine.place.line < behind.place.line
     code = behind.code
-    return code.name != "<lambda>" and machine.place.file == code.file and machine.place.line < code.line
+    return code.name != _LAMBDA and machine.place.file == code.file and machine.place.line < code.line
 
 
 def _is_method(behind: Function | Class) -> bool:
@@ -73,12 +75,15 @@ def _is_method(behind: Function | Class) -> bool:
     return around != "" and not around.endswith("<locals>")
 
 
-def _made_of(machine: Engine, callee: Value, given: Value) -> Value:
-    if _stands_above(machine, _behind(given)):
+def _made_of(machine: Engine, callee: Value, given: Value, behind: Function | Class) -> Value:
+    """What such a call gives: a decorator what it was given, another one that or something else, or an object of the class."""
+    if _stands_above(machine, behind):
         return given
     made = machine.unknown(Cause.CALL, name_of(callee))
-    if isinstance(given, Function):  # `Depends(get_node)`, by its name a class, may be an object that only keeps the function
-        return join(given, made)
+    if isinstance(
+        given, Function
+    ):  # `Depends(get_node)` may keep it only, and a lambda is what something else is set to
+        return made if given.code.name == _LAMBDA else join(given, made)
     if not isinstance(given, Class):
         return given
     initialiser = members.lookup(machine, given, "__init__")
