@@ -92,7 +92,7 @@ def _make(machine: Engine, op: ops.MakeClass, frame: Frame, combination: Value, 
     finally:
         machine.frames.pop()
     _seal(machine, cls, body)
-    if isinstance(meta, Class) and not cls.enumeration:
+    if isinstance(meta, Class):
         return metaclasses.finish(machine, cls, meta, combination, keywords, complete)
     return complete(machine, cls, keywords)
 

@@ -290,11 +290,11 @@ def iterate(machine: Engine, value: Value) -> Items:
             return machine.run_out(value)[0]
         if obj.kind == "instance":
             return _iterate_instance(machine, value)
-    if value.__class__ is Class and classes.is_enum(machine, value):
-        return machine.iterate(machine.call_native("enum.iterate", (value,)))
     of_class = metaclasses.method(machine, value, "__iter__") if value.__class__ is Class else None
     if of_class is not None:
         return machine.iterate(machine.call(of_class, ()))
+    if value.__class__ is Class and classes.is_enum(machine, value):
+        return machine.iterate(machine.call_native("enum.iterate", (value,)))
     if value.__class__ in (External, Native, Function, Class):
         return Items((), machine.unknown(Cause.CALL, getattr(value, "name", "")))
     return operators.iterate(machine, value)

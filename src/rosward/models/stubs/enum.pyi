@@ -22,7 +22,31 @@ class nonmember:
     def __init__(self, value):
         self.value = value
 
-class EnumMeta(type): ...
+@native
+def _item(cls, name): ...
+@native
+def _iterate(cls): ...
+@native
+def _length(cls): ...
+@native
+def _lookup(cls, value): ...
+
+class EnumMeta(type):
+    """What a metaclass of the program may ask for by `super()`; of enumerations without one, the engine asks the models itself."""
+    def __bool__(cls):
+        return True
+    def __call__(cls, value, *args, **kwds):
+        return _lookup(cls, value)
+    def __contains__(cls, value):
+        return value in _iterate(cls)
+    def __getitem__(cls, name):
+        return _item(cls, name)
+    def __iter__(cls):
+        return iter(_iterate(cls))
+    def __len__(cls):
+        return _length(cls)
+    def __reversed__(cls):
+        return reversed(_iterate(cls))
 EnumType = EnumMeta
 
 class Enum:

@@ -19,10 +19,10 @@ class Queue:
     def __init__(self, maxsize=0):
         self.maxsize = maxsize
         self._items = []
-        self._own = None
         self._shared = False
         self._init(maxsize)
-    def _init(self, maxsize): ...
+    def _init(self, maxsize):
+        self._own = None
     def _is_exact(self):
         self._shared = self._shared or not _alone()
         return not self._shared
