@@ -323,7 +323,7 @@ def _framework(machine: Engine, cls: Class, ref: Ref, args: tuple[Value, ...]) -
         for name, value in machine.at(base.address).attrs.items()
         if not name.startswith("__")
     ]
-    base = decisive(outside)
+    base = decisive(outside) or outside[0]
     tell_type(machine, (*said, *args), name_of(base), base)
     machine.trace.handed.setdefault(ref, machine.place)
     event = BY_WINDOW if all(creates_nothing(b) for b in outside) else BY_BASE
