@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
-from rosward.domain.compound import Descriptor, External, Native
+from rosward.domain.compound import Descriptor, External, Native, function_behind
 from rosward.domain.heap import KIND, Obj
 from rosward.domain.table import marked
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
@@ -43,9 +43,10 @@ def open_up(machine: Engine, value: Value) -> None:
             machine.put(address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
 
 
-def opened_up(machine: Engine, function: Function) -> bool:
+def opened_up(machine: Engine, function: Value) -> bool:
     """Whether a library that is not read was given a function, as by a decorator: it may call it with other arguments than its caller gives."""
-    record = machine.own(machine.library.function_address(function))
+    behind = function_behind(function)
+    record = machine.own(machine.library.function_address(behind)) if isinstance(behind, Function) else None
     return record is not None and ANY_ATTRIBUTE in record.partial
 
 

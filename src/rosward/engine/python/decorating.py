@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What does a function or class become that is handed to code which is not known, to a decorator above all?
 
+@lazy_property                  what its name calls one makes a property
 @retry(stop=3)                  most decorators give what they are given, or something that calls it
 def read(self): …               a method needs an object: who calls it is followed, a library may call what nothing else calls
 handler = library.keep(read)    what is no decorator may do so, too
@@ -78,7 +79,8 @@ def _is_method(behind: Function | Class) -> bool:
 def _made_of(machine: Engine, callee: Value, given: Value, behind: Function | Class) -> Value:
     """What such a call gives: a decorator what it was given, another one that or something else, or an object of the class."""
     if _stands_above(machine, behind):
-        return given
+        is_property = isinstance(given, Function) and _is_method(behind) and "property" in name_of(callee).lower()
+        return Descriptor("property", given, None, None) if is_property else given
     made = machine.unknown(Cause.CALL, name_of(callee))
     if isinstance(
         given, Function

@@ -26,6 +26,7 @@ from rosward.domain.values import (
 )
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import attributes, members, specials
+from rosward.engine.python.assignment import opened_up
 from rosward.engine.python.specials import one_has, special
 from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
 from rosward.models.python.comparing.equal_objects import compares
@@ -255,6 +256,11 @@ def truth(machine: Engine, value: Value) -> bool | None:
     if value.__class__ is Const:
         return bool(value.value) if _settled(value) else None
     if value.__class__ in _CALLABLE:
+        if value.__class__ in (
+            Function,
+            BoundMethod,
+        ):  # a decorator that is not known may have made something else of it
+            return None if opened_up(machine, value) else True
         method = _says_truth(machine, value) if value.__class__ is Class else None
         return True if method is None else truth(machine, machine.call(method, ()))
     if value.__class__ is Choice:
