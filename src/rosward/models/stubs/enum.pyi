@@ -31,7 +31,7 @@ def _length(cls): ...
 @native
 def _lookup(cls, value): ...
 
-class EnumMeta(type):
+class EnumType(type):
     """What a metaclass of the program may ask for by `super()`; of enumerations without one, the engine asks the models itself."""
     def __bool__(cls):
         return True
@@ -47,9 +47,9 @@ class EnumMeta(type):
         return _length(cls)
     def __reversed__(cls):
         return reversed(_iterate(cls))
-EnumType = EnumMeta
+EnumMeta = EnumType
 
-class Enum:
+class Enum(metaclass=EnumType):
     def __new__(cls, value, names=None, *, module=None, qualname=None, type=None, start=1, boundary=None):
         return _make_class(cls, value, names, type, start)
     def __str__(self):
