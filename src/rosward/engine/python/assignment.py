@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
-from rosward.domain.compound import Descriptor, External, Native
+from rosward.domain.compound import Descriptor, External, Native, function_behind
 from rosward.domain.heap import KIND, Obj
 from rosward.domain.table import marked
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
@@ -41,6 +41,13 @@ def open_up(machine: Engine, value: Value) -> None:
         record = machine.own(address) or Obj("instance", NONE)
         if ANY_ATTRIBUTE not in record.partial:
             machine.put(address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
+
+
+def opened_up(machine: Engine, function: Value) -> bool:
+    """Whether a library that is not read was given a function, as by a decorator: it may call it with other arguments than its caller gives."""
+    behind = function_behind(function)
+    record = machine.own(machine.library.function_address(behind)) if isinstance(behind, Function) else None
+    return record is not None and ANY_ATTRIBUTE in record.partial
 
 
 def store(machine: Engine, target: Value, name: str, value: Value) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join, join_all, lost_behaviour, options, reasons_of
+from rosward.domain.choice import join_all, lost_behaviour, options, reasons_of
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series, concatenated
@@ -19,7 +19,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.calls import activation
 from rosward.engine.calls.alternatives import each_apart
-from rosward.engine.python import assignment, attributes, classes, hidden_fields, members, native_calls, object_methods
+from rosward.engine.python import assignment, attributes, classes, decorating, members, native_calls, object_methods
 from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.running.catcher import LIBRARY
@@ -127,6 +127,9 @@ def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) 
         note_call(machine)
         if lost_behaviour(function):
             machine.report("RW201", "too many alternatives for what is called here: none of them is analysed")
+        made = decorating.hand(machine, function, args, keywords)
+        if made is not None:
+            return made
         escape(machine, (*args, *keywords.values()), name_of(function), function)
         return Unknown(function.reasons)
     escape(machine, (*args, *keywords.values()), name_of(function))
@@ -159,15 +162,12 @@ def _call_object(machine: Engine, ref: Ref, args: Arguments, keywords: Keywords)
     method = members.lookup(machine, obj.cls, "__call__") if obj.kind == "instance" else None
     if method is not None:
         return call(machine, members.bind(machine, method, ref, obj.cls), args, keywords)
+    made = decorating.hand(machine, ref, args, keywords)
+    if made is not None:
+        return made
     name = obj.cls.name if isinstance(obj.cls, (Class, External)) else obj.kind
     escape(machine, (*args, *keywords.values()), name)
     return machine.unknown(Cause.CALL, name)
-
-
-_QUESTIONS: Final = ("is_", "has_", "isgenerator", "iscoroutine", "isasync", "ismethod", "isdata", "callable")
-"""How the names of functions begin that answer whether something is so."""
-_ABOUT: Final = frozenset({"ast", "dis", "gc", "inspect", "json", "pickle", "pprint", "pydoc", "sys"})
-"""Modules of Python whose functions say something about a function or class: none is a decorator without a model."""
 
 
 def _call_external(machine: Engine, function: External, args: Arguments, keywords: Keywords) -> Value:
@@ -179,35 +179,11 @@ def _call_external(machine: Engine, function: External, args: Arguments, keyword
         return call_native(machine, function.name, args, keywords)
     note_call(machine)
     outside.note(machine, function)
-    escape(machine, (*args, *keywords.values()), function.name, function)
-    asks = function.name.rpartition(".")[2].startswith(_QUESTIONS) or function.name.partition(".")[0] in _ABOUT
-    if len(args) == 1 and not keywords and not asks and args[0].__class__ in (Function, Class):
-        # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
-        assignment.open_up(machine, args[0])
-        return _made_of(machine, function.name, args[0])
-    return machine.unknown(Cause.CALL, function.name)
-
-
-def _made_of(machine: Engine, name: str, given: Value) -> Value:
-    """What a function of a library that is not known makes of a function or class."""
-    made = machine.unknown(Cause.CALL, name)
-    if isinstance(
-        given, Function
-    ):  # `Depends(get_node)`, by its name a class, may be an object that only keeps the function
-        return join(given, made) if name.rpartition(".")[2][:1].isupper() else given
-    if not isinstance(given, Class) or _decorates(machine, given):
-        return given
-    initialiser = members.lookup(machine, given, "__init__")
-    if isinstance(initialiser, Function) and not initialiser.code.is_model:
+    made = decorating.hand(machine, function, args, keywords)
+    if made is not None:
         return made
-    ref = machine.allocate(Obj("instance", given))  # `tyro.cli(Options)`: one that holds anything
-    hidden_fields.give(machine, given, ref, (made,), {})
-    return ref
-
-
-def _decorates(machine: Engine, cls: Class) -> bool:
-    """Whether the call that is carried out stands above a class, as a decorator does."""
-    return machine.place.file == cls.place.file and machine.place.line < cls.place.line
+    escape(machine, (*args, *keywords.values()), function.name, function)
+    return machine.unknown(Cause.CALL, function.name)
 
 
 def call_native(machine: Engine, name: str, args: Arguments, keywords: Keywords) -> Value:
@@ -325,16 +301,9 @@ def call_function(machine: Engine, function: Function, args: Arguments, keywords
     try:
         registers = bind_arguments(machine, function, args, keywords)
     except BadCallError as error:
-        # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
-        exact = not declared.is_model(function) or function.module.name.startswith(machine.library.facts.exact)
-        message = f"this call of {code.qualname} {'may raise' if machine.choosing else 'raises'} TypeError: {error}"
-        if exact and machine.choosing > _FEW_CALLEES:
-            machine.refused.append(message)
-        elif exact:
-            machine.report("RW209", message)
-        note(machine)
         keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}
-        registers = bind_arguments(machine, function, args, {**keywords, ANY: machine.unknown(Cause.ERROR, str(error))})
+        missing = _missing_argument(machine, function, error)
+        registers = bind_arguments(machine, function, args, {**keywords, ANY: missing})
     if machine.catchers and declared.may_raise(machine, function, registers):
         note(machine, LIBRARY)
     if function.effects:
@@ -346,6 +315,25 @@ def call_function(machine: Engine, function: Function, args: Arguments, keywords
     if code.is_generator or code.is_coroutine:
         return machine.make_generator(function, registers)
     return activation.invoke(machine, function, registers)
+
+
+def _missing_argument(machine: Engine, function: Function, error: BadCallError) -> Value:
+    """What a parameter holds where the arguments do not fit: what a decorator gives it, which may be called with others; else the program fails.
+
+    What follows then is followed all the same: when the call is mended it is what runs.
+    """
+    if assignment.opened_up(machine, function):
+        return machine.unknown(Cause.CALL, f"decorator of {function.code.qualname}")
+    exact = not declared.is_model(function) or function.module.name.startswith(machine.library.facts.exact)
+    message = (
+        f"this call of {function.code.qualname} {'may raise' if machine.choosing else 'raises'} TypeError: {error}"
+    )
+    if exact and machine.choosing > _FEW_CALLEES:
+        machine.refused.append(message)
+    elif exact:
+        machine.report("RW209", message)
+    note(machine)
+    return machine.unknown(Cause.ERROR, str(error))
 
 
 def wait_for(machine: Engine, value: Value) -> Value:

@@ -15,7 +15,7 @@ from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import abstract, attributes, contents, hidden_fields, members, metaclasses, subclass_hooks
 from rosward.engine.python.own_methods import own_methods
 from rosward.engine.running.frame import Frame, own_frame
-from rosward.engine.unknown.escape import BY_BASE, BY_WINDOW, name_of
+from rosward.engine.unknown.escape import BY_BASE, BY_WINDOW, name_of, tell_type
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
 from rosward.location import Place
@@ -92,7 +92,7 @@ def _make(machine: Engine, op: ops.MakeClass, frame: Frame, combination: Value, 
     finally:
         machine.frames.pop()
     _seal(machine, cls, body)
-    if isinstance(meta, Class) and not cls.enumeration:
+    if isinstance(meta, Class):
         return metaclasses.finish(machine, cls, meta, combination, keywords, complete)
     return complete(machine, cls, keywords)
 
@@ -258,7 +258,7 @@ def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords
                 initialised.append(option)
         for option in initialised:
             if isinstance(option, Ref) and not cls.stub:
-                _framework(machine, cls, option)
+                _framework(machine, cls, option, args)
         return join_all(initialised)
     if abstract.refused(machine, cls):
         machine.trace.instantiated.add(cls.place)
@@ -273,7 +273,7 @@ def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords
     if _initialise(machine, cls, ref, args, keywords) is UNBOUND:
         return UNBOUND
     if not cls.stub:
-        _framework(machine, cls, ref)
+        _framework(machine, cls, ref, args)
     return ref
 
 
@@ -311,11 +311,20 @@ def _initialise(machine: Engine, cls: Class, ref: Ref, args: tuple[Value, ...], 
     return ref
 
 
-def _framework(machine: Engine, cls: Class, ref: Ref) -> None:
-    """A class whose base is not known may be called by it: any method of its own, with anything."""
+def _framework(machine: Engine, cls: Class, ref: Ref, args: tuple[Value, ...]) -> None:
+    """A class whose base is not known may be called by it: any method of its own, with anything. What the class says, the base may read."""
     outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
     if not outside:
         return
+    said = [
+        value
+        for base in cls.mro
+        if base.__class__ is Class and not base.stub
+        for name, value in machine.at(base.address).attrs.items()
+        if not name.startswith("__")
+    ]
+    base = decisive(outside) or outside[0]
+    tell_type(machine, (*said, *args), name_of(base), base)
     machine.trace.handed.setdefault(ref, machine.place)
     event = BY_WINDOW if all(creates_nothing(b) for b in outside) else BY_BASE
     for name, method in own_methods(machine, cls, ref):

@@ -26,6 +26,7 @@ from rosward.domain.values import (
 )
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import attributes, members, specials
+from rosward.engine.python.assignment import opened_up
 from rosward.engine.python.specials import one_has, special
 from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
 from rosward.models.python.comparing.equal_objects import compares
@@ -245,12 +246,23 @@ def unary(machine: Engine, operator: str, value: Value) -> Value:
     return operators.unary(machine, operator, bare(machine, value))
 
 
+def _says_truth(machine: Engine, value: Value) -> Value | None:
+    """The method that is asked for the truth of an object, or of a class of a metaclass."""
+    return next((m for n in ("__bool__", "__len__") if (m := special(machine, value, n)) is not None), None)
+
+
 def truth(machine: Engine, value: Value) -> bool | None:
     """The truth of a value; None where both are possible."""
     if value.__class__ is Const:
         return bool(value.value) if _settled(value) else None
     if value.__class__ in _CALLABLE:
-        return True
+        if value.__class__ in (
+            Function,
+            BoundMethod,
+        ):  # a decorator that is not known may have made something else of it
+            return None if opened_up(machine, value) else True
+        method = _says_truth(machine, value) if value.__class__ is Class else None
+        return True if method is None else truth(machine, machine.call(method, ()))
     if value.__class__ is Choice:
         answers: set[bool | None] = set()
 
@@ -266,11 +278,10 @@ def truth(machine: Engine, value: Value) -> bool | None:
     if value.__class__ is Ref:
         obj: Obj = machine.obj(value)
         if obj.kind == "instance":
-            for name in ("__bool__", "__len__"):
-                method = special(machine, value, name)
-                if method is not None:
-                    answer = machine.call(method, ())
-                    return None if answer is value else truth(machine, answer)
+            method = _says_truth(machine, value)
+            if method is not None:
+                answer = machine.call(method, ())
+                return None if answer is value else truth(machine, answer)
             held = contents(machine, value)
             if held is not None:
                 return truth(machine, held)

@@ -72,11 +72,11 @@ def load(machine: Engine, value: Value, index: Value) -> Value:
                 return calls.call(machine, method, (index,), {})
             return machine.unknown(Cause.OPERATION, "[]")
     if value.__class__ is Class:
-        if classes.is_enum(machine, value):
-            return machine.call_native("enum.item", (value, index))
         of_class = metaclasses.method(machine, value, "__getitem__")
         if of_class is not None:
             return calls.call(machine, of_class, (index,), {})
+        if classes.is_enum(machine, value):
+            return machine.call_native("enum.item", (value, index))
         method = members.lookup(machine, value, "__class_getitem__")
         return (
             value if method is None else calls.call(machine, members.bind(machine, method, value, value), (index,), {})

@@ -22,9 +22,9 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, U
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.control import behind, roughly, turn, until_stable
 from rosward.engine.python import abandoned, attributes, calls, classes, contents, metaclasses, stepping
+from rosward.engine.python.orders import tells_order
 from rosward.engine.running.frame import Frame, Snapshot
 from rosward.ir import ops
-from rosward.ir.op import Block
 from rosward.models.native import Items
 from rosward.models.python.containers.any_order import in_places, unordered
 from rosward.models.python.containers.lists import ITERATOR, VIEW, write_series
@@ -159,22 +159,11 @@ def _over_items(
 
 
 def _found(machine: Engine, op: ops.ForEach, frame: Frame, source: Value) -> Items:
-    """What a loop runs over: each element once, or what may stand where if it may be left before all had their turn, as by who asks a generator."""
+    """What a loop runs over: each element once, or what may stand where if the order tells, as for who asks a generator."""
     if source.__class__ is Ref and unordered(machine.obj(source)):
-        left = frame.yielded is not None or _may_leave(op.body, nested=False)
-        return in_places(machine, source) if left else iterate(machine, source)
+        tells = frame.yielded is not None or tells_order(op)
+        return in_places(machine, source) if tells else iterate(machine, source)
     return iterate(machine, source)
-
-
-def _may_leave(block: Block, *, nested: bool) -> bool:
-    """Whether a turn may end the loop, or the function that it stands in, in words of the program."""
-    for op in block:
-        if op.__class__ in (ops.Return, ops.Raise) or (op.__class__ is ops.Break and not nested):
-            return True
-        inside = nested or op.__class__ in (ops.ForEach, ops.While)
-        if any(_may_leave(each, nested=inside) for each in getattr(op, "blocks", ())):
-            return True
-    return False
 
 
 def _ahead(machine: Engine, found: Items, live: Ref | None, *, anywhere: bool) -> Items:
@@ -301,11 +290,11 @@ def iterate(machine: Engine, value: Value) -> Items:
             return machine.run_out(value)[0]
         if obj.kind == "instance":
             return _iterate_instance(machine, value)
-    if value.__class__ is Class and classes.is_enum(machine, value):
-        return machine.iterate(machine.call_native("enum.iterate", (value,)))
     of_class = metaclasses.method(machine, value, "__iter__") if value.__class__ is Class else None
     if of_class is not None:
         return machine.iterate(machine.call(of_class, ()))
+    if value.__class__ is Class and classes.is_enum(machine, value):
+        return machine.iterate(machine.call_native("enum.iterate", (value,)))
     if value.__class__ in (External, Native, Function, Class):
         return Items((), machine.unknown(Cause.CALL, getattr(value, "name", "")))
     return operators.iterate(machine, value)

@@ -21,12 +21,15 @@ def metaclass_of(machine: Engine, cls: Value) -> Value:
 
 
 def in_metaclass(machine: Engine, cls: Value, name: str) -> Value | None:
-    """What the program's metaclass of a class has under a name; None where it has no such thing, or there is none."""
+    """What the program's metaclass of a class has under a name; None where it has no such thing, or there is none.
+
+    What the metaclass of enumerations says of items, calls and elements, the engine asks the models itself.
+    """
     meta = metaclass_of(machine, cls)
     if not isinstance(meta, Class):
         return None
     for base in meta.mro:
-        if isinstance(base, Class):
+        if isinstance(base, Class) and not (base.stub and name.startswith("__")):
             found = machine.at(base.address).attrs.get(name)
             if found is not None and found is not UNBOUND:
                 return found

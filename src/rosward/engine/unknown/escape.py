@@ -49,7 +49,7 @@ def escape(machine: Engine, values: Iterable[Value], library: str, callee: Value
     """
     seen: set[int] = set()
     values = tuple(values)
-    _tell_type(machine, values, library, callee)
+    tell_type(machine, values, library, callee)
     foreign = callee is not None and creates_nothing(callee)
     reads = callee is not None and only_reads(callee)
     for value in values:
@@ -58,7 +58,7 @@ def escape(machine: Engine, values: Iterable[Value], library: str, callee: Value
             change(machine, value, library or "a library")
 
 
-def _tell_type(machine: Engine, values: tuple[Value, ...], library: str, callee: Value | None) -> None:
+def tell_type(machine: Engine, values: tuple[Value, ...], library: str, callee: Value | None) -> None:
     """An interface type and a text, for a name, reach a library: what a node is asked for, so it may be one, or have one."""
     if not isinstance(callee, (External, Unknown)) or knows_no_types(callee):
         return

@@ -3,6 +3,7 @@
 
     rpc.serve(Api(node))               calls methods of the Api that nothing else calls
     webserver.Application([Handler])   makes a Handler, and has that in its hands too
+    @tasks.register('stop')            calls the method below where nothing else does
 
 What the program itself calls is followed with its own values: there it is taken that the library calls nothing else. So this is asked
 when all else has come to rest.
@@ -53,9 +54,12 @@ def follow(machine: Engine) -> None:
 
 
 def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
-    """Of a class, the class itself; of an object, its methods: where nothing else calls them."""
+    """Of a class, the class itself, and a function that was decorated itself; of an object, its methods: where nothing else calls them."""
     if isinstance(value, Class):
         if value.place not in machine.trace.instantiated:
+            yield value
+    elif isinstance(value, Function):
+        if value.code.key not in machine.trace.entered:
             yield value
     elif isinstance(value, Ref):
         cls = machine.obj(value).cls

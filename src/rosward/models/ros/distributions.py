@@ -12,16 +12,13 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import Const, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.plain import text_of
-from rosward.ros.distro import DISTROS, Distro
+from rosward.models.python.std.support import is_since
+from rosward.ros.distro import Distro
 
 
 def _since(call: NativeCall) -> Value:
-    """Whether the analysis is for a distribution, or for a later one."""
-    known = call.machine.environment.get("ROS_DISTRO")
-    name = None if known is None else text_of(known)
-    if name not in DISTROS:
-        return call.machine.unknown(Cause.ENVIRONMENT, "ROS_DISTRO", "bool")
-    return Const(Distro(name).has(Distro(text_of(call.args[0]))))
+    known = is_since(call.machine, Distro(text_of(call.args[0])))
+    return call.machine.unknown(Cause.ENVIRONMENT, "ROS_DISTRO", "bool") if known is None else Const(known)
 
 
 NATIVES: Final[dict[str, NativeFunction]] = dict.fromkeys(

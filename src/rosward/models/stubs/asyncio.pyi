@@ -253,18 +253,25 @@ class Event:
         return True
 
 class Queue:
+    """What is taken out is any of what was put in: between the two, others may run."""
     def __init__(self, maxsize=0):
         self.maxsize = maxsize
-        self._items = []
+        self._init(maxsize)
+    def _init(self, maxsize):
+        self._queue = []
+    def _put(self, item):
+        self._queue.append(item)
+    def _get(self):
+        return _any(self._queue)
     async def put(self, item):
-        self._items.append(item)
+        self._put(item)
     def put_nowait(self, item):
-        self._items.append(item)
+        self._put(item)
     async def get(self):
         spin()
-        return _any(self._items)
+        return self._get()
     def get_nowait(self):
-        return _any(self._items)
+        return self._get()
     async def join(self):
         spin()
     @reads_only

@@ -22,10 +22,34 @@ class nonmember:
     def __init__(self, value):
         self.value = value
 
-class EnumMeta(type): ...
-EnumType = EnumMeta
+@native
+def _item(cls, name): ...
+@native
+def _iterate(cls): ...
+@native
+def _length(cls): ...
+@native
+def _lookup(cls, value): ...
 
-class Enum:
+class EnumType(type):
+    """What a metaclass of the program may ask for by `super()`; of enumerations without one, the engine asks the models itself."""
+    def __bool__(cls):
+        return True
+    def __call__(cls, value, *args, **kwds):
+        return _lookup(cls, value)
+    def __contains__(cls, value):
+        return value in _iterate(cls)
+    def __getitem__(cls, name):
+        return _item(cls, name)
+    def __iter__(cls):
+        return iter(_iterate(cls))
+    def __len__(cls):
+        return _length(cls)
+    def __reversed__(cls):
+        return reversed(_iterate(cls))
+EnumMeta = EnumType
+
+class Enum(metaclass=EnumType):
     def __new__(cls, value, names=None, *, module=None, qualname=None, type=None, start=1, boundary=None):
         return _make_class(cls, value, names, type, start)
     def __str__(self):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`itertools`: exact on known inputs; those that never end are lists of unknown length. The rest is models/python/std/functional.py."""
 import operator
-from _rosward import native
+from _rosward import native, unknown
 
 @native
 def _followed(iterables): ...
@@ -103,12 +103,13 @@ def _shared(iterator, shared):
         yield shared[number]
         number = number + 1
 
-def batched(iterable, n):
-    batch = []
-    for value in iterable:
-        batch.append(value)
-        if len(batch) == n:
+if unknown('live', 'sys.version_info', 'bool'):  # since 3.12
+    def batched(iterable, n):
+        batch = []
+        for value in iterable:
+            batch.append(value)
+            if len(batch) == n:
+                yield tuple(batch)
+                batch = []
+        if batch:
             yield tuple(batch)
-            batch = []
-    if batch:
-        yield tuple(batch)

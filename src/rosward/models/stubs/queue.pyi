@@ -12,70 +12,83 @@ class Empty(Exception): ...
 class Full(Exception): ...
 
 class Queue:
-    """`_items` is what is in it, as long as nothing else runs; `_all` is all that ever was."""
+    """`_items` is what is in it, as long as nothing else runs, and then all that was in it since; `_own` is what a class keeps instead.
+
+    As in Python, `put` and `get` ask `_put` and `_get` and so on, which a class may replace.
+    """
     def __init__(self, maxsize=0):
         self.maxsize = maxsize
         self._items = []
-        self._all = []
         self._shared = False
+        self._init(maxsize)
+    def _init(self, maxsize):
+        self._own = None
     def _is_exact(self):
         self._shared = self._shared or not _alone()
         return not self._shared
     @property
     def queue(self):
+        return self._view() if self._own is None else self._own
+    @queue.setter
+    def queue(self, own):
+        self._own = own
+    def _view(self):
         found = deque()
-        found._list = self._contents()
+        found._list = self._items
         return found
-    def _contents(self):
-        return self._items if self._is_exact() else self._all
+    def _qsize(self):
+        return len(self._items if self._own is None else self._own)
+    def _put(self, item):
+        if self._own is None:
+            self._items.append(item)
+        else:
+            self._own.append(item)
+    def _get(self):
+        if self._own is not None:
+            return self._taken_of(self._own)
+        if self._is_exact() and self._items:
+            return self._taken_of(self._view())
+        return _any(self._items)
+    def _taken_of(self, items):
+        return items.popleft()
     def put(self, item, block=True, timeout=None):
         if self._is_exact() and not block and self.full():
             raise Full
-        self._items.append(item)
-        self._all.append(item)
+        self._put(item)
     def put_nowait(self, item):
         self.put(item, False)
-    def _take(self):
-        return self._items.pop(0)
     def get(self, block=True, timeout=None):
         if not self._is_exact():
             spin()
-            return _any(self._all)
-        if self._items:
-            return self._take()
-        if not block or timeout is not None:
+        elif (not block or timeout is not None) and not self._qsize():
             raise Empty
-        return _any(self._all)
+        return self._get()
     def get_nowait(self):
-        if not self._is_exact():
-            return _any(self._all)
-        return self.get(False)
+        return self.get(False) if self._is_exact() else self._get()
     def qsize(self):
-        return len(self._items) if self._is_exact() else unknown('live', 'queue.Queue.qsize', 'int')
+        return self._qsize() if self._is_exact() else unknown('live', 'queue.Queue.qsize', 'int')
     def empty(self):
-        return not self._items if self._is_exact() else unknown('live', 'queue.Queue.empty', 'bool')
+        return not self._qsize() if self._is_exact() else unknown('live', 'queue.Queue.empty', 'bool')
     def full(self):
         if self.maxsize <= 0:
             return False
-        return len(self._items) >= self.maxsize if self._is_exact() else unknown('live', 'queue.Queue.full', 'bool')
+        return self._qsize() >= self.maxsize if self._is_exact() else unknown('live', 'queue.Queue.full', 'bool')
     @reads_only
     def task_done(self) -> None: ...
     def join(self):
         spin()
 
 class LifoQueue(Queue):
-    @property
-    def queue(self):
-        return self._contents()
-    def _take(self):
-        return self._items.pop()
+    def _view(self):
+        return self._items
+    def _taken_of(self, items):
+        return items.pop()
 class PriorityQueue(Queue):
-    @property
-    def queue(self):
-        return self._contents()
-    def _take(self):
-        self._items.sort()
-        return self._items.pop(0)
+    def _view(self):
+        return self._items
+    def _taken_of(self, items):
+        items.sort()
+        return items.pop(0)
 class SimpleQueue(Queue):
     def __init__(self):
         super().__init__()

@@ -12,7 +12,7 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Native, Range, Tuple
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Value
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 from rosward.models.python.asked import is_own
 from rosward.models.python.builtins.attributes import has_attribute
@@ -267,7 +267,13 @@ def _len_of(call: NativeCall, value: Value) -> Value:
             return machine.call(machine.load_attr(value, "__len__"), ())
         return machine.unknown(Cause.OPERATION, "len", "int")
     if isinstance(value, Class):
-        return machine.call_native("enum.length", (value,))
+        metaclass = machine.obj(Ref(value.address)).cls
+        asked = machine.load_attr(metaclass, "__len__") if isinstance(metaclass, Class) else None
+        return (
+            machine.call(asked, (value,))
+            if isinstance(asked, Function)
+            else machine.call_native("enum.length", (value,))
+        )
     return unknown_from(machine, "len", "int", value)
 
 

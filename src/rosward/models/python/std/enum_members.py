@@ -14,7 +14,8 @@ from rosward.domain.compound import BoundMethod, Descriptor, Native
 from rosward.domain.values import NONE, UNBOUND, Class, Function, Ref, Value
 from rosward.models.native import NativeCall
 from rosward.models.python.builtins.attributes import of_python
-from rosward.models.python.std.support import class_obj
+from rosward.models.python.std.support import class_obj, is_since
+from rosward.ros.distro import Distro
 
 _NO_MEMBER: Final = (Function, Descriptor, BoundMethod)
 """What has a `__get__`: a method, not a member."""
@@ -40,11 +41,11 @@ def said(call: NativeCall, written: Value) -> tuple[str, Value]:
 
 
 def is_member(call: NativeCall, cls: Class, name: str, value: Value) -> bool:
-    """Whether a name of the body is a member: not what has a `__get__`, nor a class that is written in the body."""
+    """Whether a name of the body is a member: not what has a `__get__`, nor, from Python 3.13 on, a class that is written in the body."""
     if name.startswith("_") and (name.endswith("_") or name.startswith("__")):
         return False
     if isinstance(value, Class):
-        return value.qualname != f"{cls.qualname}.{name}"
+        return value.qualname != f"{cls.qualname}.{name}" or not is_since(call.machine, Distro.LYRICAL)
     if isinstance(value, Native):
         known = of_python(value.name)
         return known is not None and not hasattr(known, "__get__")

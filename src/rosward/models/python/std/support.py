@@ -21,6 +21,7 @@ from rosward.domain.values import Class, Const, Ref, Unknown, Value
 from rosward.models.native import Machine, NativeCall
 from rosward.models.python import plain
 from rosward.models.python.contents import bare as bare_value
+from rosward.ros.distro import DISTROS, Distro
 
 MAX_COMBINATIONS: Final = 64
 MAX_NODES: Final = 10_000
@@ -41,6 +42,13 @@ def names_of(values: Iterable[Value]) -> tuple[str, ...]:
 def class_obj(cls: Class) -> Ref:
     """Where the attributes of a class live."""
     return Ref(cls.address)
+
+
+def is_since(machine: Machine, distro: Distro) -> bool | None:
+    """Whether the analysis is for a distribution, or for a later one; None where nobody knows for which."""
+    known = machine.environment.get("ROS_DISTRO")
+    name = None if known is None else plain.text_of(known)
+    return Distro(name).has(distro) if name in DISTROS else None
 
 
 def exact_list(machine: Machine, value: Value) -> tuple[Value, ...] | None:

@@ -289,9 +289,8 @@ class deque:
         return self
     def __init__(self, iterable=(), maxlen=None):
         self.maxlen = maxlen
-        self._list = []
-        for value in iterable:
-            self.append(value)
+        self._list = list(iterable)
+        deque._drop(self)
     def append(self, x, /):
         self._list.append(x)
         if self.maxlen is not None and len(self._list) > self.maxlen:
@@ -300,12 +299,15 @@ class deque:
         self._list.insert(0, x)
         if self.maxlen is not None and len(self._list) > self.maxlen:
             self._list.pop()
+    def _drop(self):
+        if self.maxlen is not None:
+            del self._list[:max(0, len(self._list) - self.maxlen)]
     def extend(self, iterable, /):
-        for value in iterable:
-            self.append(value)
+        self._list.extend(iterable)
+        deque._drop(self)
     def extendleft(self, iterable, /):
         for value in iterable:
-            self.appendleft(value)
+            deque.appendleft(self, value)
     def pop(self):
         return self._list.pop()
     def popleft(self):
