@@ -29,7 +29,10 @@ class Queue:
     def _contents(self):
         return self._items if self._is_exact() else self._all
     def put(self, item, block=True, timeout=None):
-        if self._is_exact() and not block and self.full():
+        if not self._is_exact():
+            if self.maxsize > 0 and not block:
+                _any(self._all)  # how many there are decides whether it is full
+        elif not block and self.full():
             raise Full
         self._items.append(item)
         self._all.append(item)
