@@ -284,3 +284,77 @@ def test_whether_a_goal_is_accepted_comes_from_the_server(tmp_path: Path) -> Non
     said = said_of(reported(program), "topic:/out")
     assert said is not None
     assert "result:/count" in said.control
+
+
+PARAMETER: Final = """
+import rclpy
+from rcl_interfaces.msg import SetParametersResult
+from rclpy.node import Node
+from std_msgs.msg import Float64
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.limit = 3.0
+        self.declare_parameter('gain', 1.0)
+        self.add_on_set_parameters_callback(self.judge)
+        self.out = self.create_publisher(Float64, '/out', 10)
+        self.create_subscription(Float64, '/limit', self.on_limit, 10)
+        self.create_timer(1.0, lambda: self.out.publish(Float64(data=self.get_parameter('gain').value)))
+
+    def on_limit(self, msg):
+        self.limit = msg.data
+
+    def judge(self, parameters):
+        if parameters[0].value > self.limit:
+            return SetParametersResult(successful=False)
+        return SetParametersResult(successful=True)
+
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+
+
+def test_what_decides_that_a_parameter_is_set_decides_what_is_made_of_it(tmp_path: Path) -> None:
+    program = tmp_path / "robot.py"
+    program.write_text(PARAMETER)
+    said = said_of(reported(program), "topic:/out")
+    assert said is not None
+    assert said.data == {"parameter:gain"}
+    assert said.control == {"topic:/limit"}
+
+
+CALLED: Final = """
+import rclpy
+import sounddevice
+from pynput import keyboard
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.out = self.create_publisher(String, '/out', 10)
+        self.heard = {}
+
+    def on_it(self, it, *others):
+        self.out.publish(String(data=str(it)))
+
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize(
+    "registers", ["sounddevice.InputStream(callback=self.on_it)", "keyboard.Listener(on_press=self.on_it)"]
+)
+def test_what_a_function_of_a_library_calls_a_callback_with_comes_from_there(registers: str, tmp_path: Path) -> None:
+    program = tmp_path / "robot.py"
+    program.write_text(CALLED.format(registers))
+    said = said_of(reported(program), "topic:/out")
+    assert said is not None
+    assert "device" in said.data

@@ -251,7 +251,9 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     if waits or not walker.calling.isdisjoint(owners):
         walker.meet_callbacks()
     if seen.scheduled:
-        given_on = [*marks, Mark(result.mask)] if site.unknown else marks  # of what comes in here, callbacks are told
+        given_on = (
+            [*marks, Mark(result.mask)] if site.of_library else marks
+        )  # of what comes in here, callbacks are told
         schedule(walker, seen, given_on, body.pc | pc | _chosen(seen, marks), _hands(walker, function, seen))
     if site.spins or site.pauses:
         walker.join_beside()

@@ -24,6 +24,7 @@ from rosward.flow.calls import send, sink_of
 from rosward.flow.cpp import calls as cpp_calls
 from rosward.flow.cpp import operations as cpp
 from rosward.flow.marks import CANCELLED, NOTHING, Mark, Root, decided, demoted, triggering
+from rosward.flow.native import parameters
 from rosward.flow.said import wrong_marks
 from rosward.flow.stored.content import Content, TooLongError
 from rosward.flow.stored.memory import Memory
@@ -209,9 +210,7 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             send(walker, effect, walker.memory.deep(result) | pc)
-    if entry.event in ("goal", "cancel"):  # what becomes of it depends on what its callback says
-        for owner in _owners(entry, registered):
-            library.stop(walker, _accepts(entry.event, owner), demoted(walker.memory.deep(result)))
+    _judged(walker, entry, result)
     if entry.event == "log":  # what filters put into records, or factories into new ones
         records = Mark(0, result.roots | (arguments[0].roots if arguments else frozenset()))
         hidden.keep(walker, "logging", walker.memory.deep(records))
@@ -225,6 +224,15 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
             writes=walker.memory.wrote_to_others(walker.beside.memory),
         )
     walker.leave()
+
+
+def _judged(walker: Walker, entry: Scheduled, result: Mark) -> None:
+    """What becomes of a goal, a request to cancel, or parameters that are set, depends on what a callback says of them."""
+    if entry.event == "parameters" and walker.node is not None:
+        parameters.judged(walker, walker.node, demoted(walker.memory.deep(result)))
+    elif entry.event in ("goal", "cancel"):
+        for owner in _owners(entry, walker.watch.entries.get(entry)):
+            library.stop(walker, _accepts(entry.event, owner), demoted(walker.memory.deep(result)))
 
 
 def _accepts(event: str, owner: Root) -> Root:

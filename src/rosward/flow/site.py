@@ -24,11 +24,13 @@ class Site:
 
     `callees`: what is called as it is written; `unknown`: somebody may be called of whom nothing is known. `creates`: it only makes an object
     of a class. `opens`: what it gives is open, and nothing of it is read yet. `spins`: callbacks run meanwhile. `calls_back`: a library runs
-    functions of the program. `waits`: others run meanwhile. `methods`: what a library calls of objects of the program that are called here.
+    functions of the program. `waits`: others run meanwhile. `of_library`: somebody may be called of whom at most marks tell. `methods`: what
+    a library calls of objects of the program that are called here.
     """
 
     __slots__ = (
-        *("callees", "calls_back", "creates", "externals", "methods", "opens", "pauses", "spins", "unknown", "waits"),
+        *("callees", "calls_back", "creates", "externals", "methods", "of_library", "opens", "pauses", "spins"),
+        *("unknown", "waits"),
     )
 
     def __init__(self, op: ops.Call, seen: Seen) -> None:
@@ -44,6 +46,7 @@ class Site:
             ("of", c.address, "__call__") for c in self.callees if isinstance(c, Ref)
         )
         self.calls_back = bool(seen.calls) and any(map(is_native, self.callees))
+        self.of_library = self.unknown or any(isinstance(c, External) for c in self.callees)
         self.creates = len(seen.refs) == 1 and all(isinstance(f, Class) for f in functions)
         self.externals: frozenset[Root] = frozenset(map(of_library, seen.externals))
         self.opens = any(isinstance(f, Native) and f.name.endswith("open") for f in functions)

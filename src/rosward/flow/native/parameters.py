@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.values import Const
 from rosward.effects.flows import Sink
-from rosward.flow.marks import Mark, Root
+from rosward.flow.marks import Mark, Root, demoted
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -45,6 +45,14 @@ def kept(walker: Walker, nodes: Iterable[Root], name: object) -> int:
     held = _held(nodes)
     found = walker.memory.read(held, name) if isinstance(name, str) else walker.memory.read_all(held)
     return found.mask
+
+
+def judged(walker: Walker, node: Root, mask: int) -> None:
+    """A callback says whether parameters of a node are set: what decides that, but for other ones that are set along, decides their values."""
+    control = walker.sources.apart(mask)[1]
+    decides = [walker.sources.data(source) for source in control if source.kind != "parameter"]
+    if decides:
+        keep(walker, (node,), None, Mark(), demoted(sum(decides)))
 
 
 def declared(walker: Walker, nodes: Iterable[Root]) -> int:
