@@ -251,9 +251,8 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     if waits or not walker.calling.isdisjoint(owners):
         walker.meet_callbacks()
     if seen.scheduled:
-        given_on = (
-            [*marks, Mark(result.mask)] if site.of_library else marks
-        )  # of what comes in here, callbacks are told
+        # Callbacks are told of what comes in here.
+        given_on = [*marks, Mark(result.mask)] if site.of_library else marks
         schedule(walker, seen, given_on, body.pc | pc | _chosen(seen, marks), _hands(walker, function, seen))
     if site.spins or site.pauses:
         walker.join_beside()

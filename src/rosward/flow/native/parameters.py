@@ -49,10 +49,11 @@ def kept(walker: Walker, nodes: Iterable[Root], name: object) -> int:
 
 def judged(walker: Walker, node: Root, mask: int) -> None:
     """A callback says whether parameters of a node are set: what decides that, but for other ones that are set along, decides their values."""
-    control = walker.sources.apart(mask)[1]
-    decides = [walker.sources.data(source) for source in control if source.kind != "parameter"]
+    decides = 0
+    for source in walker.sources.apart(mask)[1]:
+        decides |= walker.sources.data(source) if source.kind != "parameter" else 0
     if decides:
-        keep(walker, (node,), None, Mark(), demoted(sum(decides)))
+        keep(walker, (node,), None, Mark(), demoted(decides))
 
 
 def declared(walker: Walker, nodes: Iterable[Root]) -> int:
