@@ -108,6 +108,11 @@ def _default(function: Function, made: Mark, name: str) -> Mark:
     return Mark(made.mask)
 
 
+def _only_chosen(walker: Walker, refs: frozenset[int]) -> bool:
+    """Whether it is one object that says itself what stands in it: of one of a library, whoever leads to it does (what time it is)."""
+    return len(refs) == 1 and walker.memory.is_one(refs) and not any(map(walker.shape.class_name, refs))
+
+
 def handed(walker: Walker, op: ops.Op, body: Body, given: Handed, spread: Spread, name: str = "") -> Mark:
     """The mark of one argument: that of the registers in which it stands, else all that the operation reads, but for plain objects."""
     found = Mark(body.pc, frozenset(given.refs))
@@ -128,7 +133,7 @@ def handed(walker: Walker, op: ops.Op, body: Body, given: Handed, spread: Spread
         if not isinstance(op, ops.Call):
             return found
         chosen = body.registers[op.func].mask  # of a receiver, or an object that is made here
-        return found.under(demoted(chosen) if len(given.refs) == 1 and walker.memory.is_one(given.refs) else chosen)
+        return found.under(demoted(chosen) if _only_chosen(walker, given.refs) else chosen)
     for register in reads(op):
         mark = body.registers[register]
         found = found.joined(Mark(walker.memory.deep(mark), frozenset(r for r in mark.roots if not isinstance(r, int))))

@@ -96,6 +96,7 @@ def run_callees(
             whole = implicit.under_given(walker, name, whole, unseen=True, but=walker.shape.nodes)
             declared = natives.by_name(walker, op, body, seen, name, whole)
             declared = library.declared(walker, body, function, whole) if declared is None else declared
+            library.fails(walker, name, declared.mask)
             result = declared if result is None else result.joined(declared)
         for number, activation in enumerate(mine):
             given = marks[number] if len(marks) == len(mine) else whole
@@ -152,6 +153,7 @@ def _perform(walker: Walker, body: Body, name: str, marks: list[Mark], result: M
     for mark in marks:
         mask |= walker.memory.deep(mark)
     given = Mark(library.perform(walker, name, mask, body.pc))
+    library.fails(walker, name, mask | given.mask)
     return given if result is None else result.joined(given)
 
 
@@ -227,6 +229,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         elif isinstance(callee, Class):
             result = result.joined(Mark(body.pc, frozenset(seen.refs)))
     if site.unknown:
+        function = Mark(function.mask, function.roots | site.methods)
         owner, *passed = implicit.under_given(walker, "", (Mark(0, owners_of(function)), *marks), unseen=True)
         computed = library.unknown(walker, op, body, function.under(owner.mask), passed, op.arguments)
         result = result.joined(computed)
@@ -248,7 +251,8 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     if waits or not walker.calling.isdisjoint(owners):
         walker.meet_callbacks()
     if seen.scheduled:
-        given_on = [*marks, Mark(result.mask)] if site.unknown else marks  # of what comes in here, callbacks are told
+        # Callbacks are told of what comes in here.
+        given_on = [*marks, Mark(result.mask)] if site.of_library else marks
         schedule(walker, seen, given_on, body.pc | pc | _chosen(seen, marks), _hands(walker, function, seen))
     if site.spins or site.pauses:
         walker.join_beside()

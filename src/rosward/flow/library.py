@@ -31,6 +31,8 @@ _KNOWN: Final = ("rclpy.", "tf2_ros.", "builtins.")
 _SEEDING: Final = frozenset(("random.seed", "random.setstate", "numpy.random.seed", "numpy.random.set_state"))
 _SEEDED: Final[Root] = ("seeded",)
 """What decides which random numbers come."""
+_AT_HAND: Final = frozenset(("argv", "clock", "env", "random"))
+"""What comes from there is always there."""
 _FEW: Final = 12
 """So many objects the result of an unknown call is said to be itself; it leads to more."""
 
@@ -49,6 +51,18 @@ def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
         if kind == "random":
             given |= walker.memory.of(_SEEDED).whole.mask
     return given
+
+
+def fails(walker: Walker, name: str, mask: int) -> None:
+    """A function that brings something from outside may fail instead: that it does, depends on the same."""
+    if walker.attempts and not _AT_HAND.issuperset(walker.shape.said(name).sources):
+        walker.attempts[-1].mask |= mask
+
+
+def may_be_missing(walker: Walker) -> None:
+    """A file is opened, which may not be there."""
+    if walker.attempts:
+        walker.attempts[-1].mask |= comes_in(walker, "file")
 
 
 def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) -> Mark:
@@ -86,6 +100,17 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
             walker.memory.merge(opaque(Mark(0, led)))
             led = walker.shape.numbers.canonical(led)
     return Mark(mask | given, led | {root})
+
+
+def expression(walker: Walker, body: Body, op: ops.Op, operands: Iterable[Mark]) -> Root:
+    """What an operator makes of objects of a library: where nothing says that it only computes, it may hold them (`cvxpy.Variable() <= limit`)."""
+    roots = {root for mark in operands for root in opaque(mark) if root[0] == "made"}
+    held = {r: name for r in roots if (name := name_of(r)) and walker.shape.said(name) is NO_MARK}
+    root = walker.shape.made(body.activation, op.number, min(held.values(), default=""))
+    walker.memory.renew(root)
+    if held:
+        walker.memory.write_any([root], Mark(0, frozenset(held)))
+    return root
 
 
 def _viewed(walker: Walker, roots: frozenset[Root]) -> frozenset[Root]:
@@ -166,7 +191,7 @@ def stop(walker: Walker, root: Root, mask: int) -> None:
     old = walker.stopped.get(root, 0)
     if old | mask != old:
         walker.stopped[root] = old | mask
-        walker.changed = True
+        walker.tell((root,))
 
 
 def unknown(

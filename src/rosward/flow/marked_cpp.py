@@ -66,6 +66,16 @@ READS: Final = _QUIET | frozenset(
 )
 """What they give depends on what they are called on and on the key, not on all that it leads to."""
 
+SORTS: Final = frozenset(
+    (
+        *("sort", "stable_sort", "partial_sort", "nth_element", "partition", "stable_partition", "unique"),
+        *("remove_if", "remove", "make_heap", "push_heap", "pop_heap", "sort_heap"),
+    )
+)
+"""They move the elements of a container about as these compare."""
+MOVES: Final = SORTS | {"erase", "insert", "emplace", "pop_front", "shuffle", "random_shuffle"}
+"""They move the elements of a container about."""
+
 SIZES: Final = frozenset(("size", "empty", "length", "ssize"))
 """What they give depends on how much there is."""
 
@@ -85,6 +95,15 @@ STREAMS: Final[Mapping[str, str]] = {
     "std.wcout": "stdout",
 }
 """Where streams of the library lead, by their names."""
+
+
+_SETTERS: Final = frozenset(("fill", "swap", "resize", "conservativeResize", "normalize", "transposeInPlace"))
+
+
+def is_setter(name: str) -> bool:
+    """Whether a method of a library that only computes writes to its object all the same: `P.row(1).setConstant(x)`."""
+    short = name.rpartition(".")[2]
+    return name.startswith("Eigen.") and (short in _SETTERS or short.startswith("set"))
 
 
 def is_safe(name: str) -> bool:

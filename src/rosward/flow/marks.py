@@ -35,6 +35,10 @@ FUNCTIONS: Final[Root] = ("functions",)
 """Where the attributes of functions stand, which have no address: told apart by their names alone."""
 
 
+CANCELLED: Final[Root] = ("cancelled",)
+"""Where it stands what decides that servers of actions accept requests to cancel."""
+
+
 def is_slot(root: Root) -> bool:
     """Whether it is a part of an object that has an address of its own (`engine.seen.places_of`)."""
     return not isinstance(root, int) and root[0] == "slot"

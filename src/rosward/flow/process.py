@@ -23,7 +23,8 @@ from rosward.flow.callbacks import begin
 from rosward.flow.calls import send, sink_of
 from rosward.flow.cpp import calls as cpp_calls
 from rosward.flow.cpp import operations as cpp
-from rosward.flow.marks import NOTHING, Mark, Root, decided, demoted, triggering
+from rosward.flow.marks import CANCELLED, NOTHING, Mark, Root, decided, demoted, triggering
+from rosward.flow.native import parameters
 from rosward.flow.said import wrong_marks
 from rosward.flow.stored.content import Content, TooLongError
 from rosward.flow.stored.memory import Memory
@@ -185,6 +186,8 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     registered = walker.watch.entries.get(entry)
     for owner in _owners(entry, registered):
         pc |= demoted(walker.stopped.get(owner, 0))
+        if entry.event in ("execute", "accepted"):
+            pc |= walker.stopped.get(_accepts("goal", owner), 0)
     arguments = [_argument(walker, entry, n, sources) for n in range(len(entry.args or ()))]
     if entry.event in _ANSWERS:
         for argument in arguments:
@@ -207,6 +210,7 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             send(walker, effect, walker.memory.deep(result) | pc)
+    _judged(walker, entry, result)
     if entry.event == "log":  # what filters put into records, or factories into new ones
         records = Mark(0, result.roots | (arguments[0].roots if arguments else frozenset()))
         hidden.keep(walker, "logging", walker.memory.deep(records))
@@ -220,6 +224,20 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
             writes=walker.memory.wrote_to_others(walker.beside.memory),
         )
     walker.leave()
+
+
+def _judged(walker: Walker, entry: Scheduled, result: Mark) -> None:
+    """What becomes of a goal, a request to cancel, or parameters that are set, depends on what a callback says of them."""
+    if entry.event == "parameters" and walker.node is not None:
+        parameters.judged(walker, walker.node, demoted(walker.memory.deep(result)))
+    elif entry.event in ("goal", "cancel"):
+        for owner in _owners(entry, walker.watch.entries.get(entry)):
+            library.stop(walker, _accepts(entry.event, owner), demoted(walker.memory.deep(result)))
+
+
+def _accepts(event: str, owner: Root) -> Root:
+    """Where it stands what decides that a server accepts a goal; of requests to cancel, servers are not told apart."""
+    return ("accepts", owner) if event == "goal" else CANCELLED
 
 
 def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Source, ...]) -> Mark:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
 from rosward.effects.flows import Source
-from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.flow.marks import NOTHING, Mark, Root, name_of
+from rosward.flow.outside import comes_in
 from rosward.flow.ways import each_way
 
 if TYPE_CHECKING:
@@ -73,9 +74,21 @@ def elements(walker: Walker, mark: Mark) -> Mark:
         walker.memory.take_out(used, walker.bodies[-1].pc)
     found = found.joined(each_of(walker, mark) or NOTHING)
     found = found.joined(walker.memory.read_all(mark.roots))
-    if any(not isinstance(r, int) for r in mark.roots):
-        found = found.joined(Mark(0, frozenset(r for r in mark.roots if not isinstance(r, int) and r[0] != "tuple")))
+    if others := opaque(mark):
+        found = found.joined(Mark(_brought(walker, others), frozenset(r for r in others if r[0] != "tuple")))
     return found.under(mark.mask)
+
+
+_ITERATORS: Final = ("__iter__", "__aiter__")
+
+
+def _brought(walker: Walker, roots: Iterable[Root]) -> int:
+    """What comes in where somebody goes through objects of libraries, as marks say: `for line in serial_port`."""
+    mask = 0
+    for name in {name for root in roots if (name := name_of(root))}:
+        for kind in (kind for each in _ITERATORS for kind in walker.shape.said(f"{name}.{each}").sources):
+            mask |= comes_in(walker, kind)
+    return mask
 
 
 def each_of(walker: Walker, mark: Mark) -> Mark | None:

@@ -11,7 +11,7 @@ from typing import Final, final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
-from rosward.domain.values import Class, Const, Function, Value
+from rosward.domain.values import Class, Const, Function, Ref, Value
 from rosward.engine.running.seen import ALIVE, REACHED, Activation, Called, Handed, Seen
 from rosward.flow.marks import Root, of_library
 from rosward.ir import ops
@@ -24,16 +24,29 @@ class Site:
 
     `callees`: what is called as it is written; `unknown`: somebody may be called of whom nothing is known. `creates`: it only makes an object
     of a class. `opens`: what it gives is open, and nothing of it is read yet. `spins`: callbacks run meanwhile. `calls_back`: a library runs
-    functions of the program. `waits`: others run meanwhile.
+    functions of the program. `waits`: others run meanwhile. `of_library`: somebody may be called of whom at most marks tell. `methods`: what
+    a library calls of objects of the program that are called here.
     """
 
-    __slots__ = ("callees", "calls_back", "creates", "externals", "opens", "pauses", "spins", "unknown", "waits")
+    __slots__ = (
+        *("callees", "calls_back", "creates", "externals", "methods", "of_library", "opens", "pauses", "spins"),
+        *("unknown", "waits"),
+    )
 
     def __init__(self, op: ops.Call, seen: Seen) -> None:
         functions = seen.functions
-        self.callees = tuple(c for c in _apart(_as_written(op, functions)) if not isinstance(c, Function))
+        own = {r for c in seen.calls.values() if c.function.code.name == "__call__" and c.args for r in c.args[0].refs}
+        self.callees = tuple(
+            c
+            for c in _apart(_as_written(op, functions))
+            if not isinstance(c, Function) and not (isinstance(c, Ref) and c.address in own)
+        )
         self.unknown = not functions or not all(is_native(c) or isinstance(c, Class) for c in self.callees)
+        self.methods: frozenset[Root] = frozenset(
+            ("of", c.address, "__call__") for c in self.callees if isinstance(c, Ref)
+        )
         self.calls_back = bool(seen.calls) and any(map(is_native, self.callees))
+        self.of_library = self.unknown or any(isinstance(c, External) for c in self.callees)
         self.creates = len(seen.refs) == 1 and all(isinstance(f, Class) for f in functions)
         self.externals: frozenset[Root] = frozenset(map(of_library, seen.externals))
         self.opens = any(isinstance(f, Native) and f.name.endswith("open") for f in functions)

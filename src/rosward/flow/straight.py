@@ -63,8 +63,7 @@ def _compute(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
         walker.memory.write_any(left.roots, Mark(found.mask, found.roots - left.roots), found.mask)
         body.registers[op.dst] = Mark(found.mask, found.roots | left.roots)
     elif any(opaque(mark) for mark in operands):
-        root = walker.shape.made(body.activation, op.number)
-        walker.memory.renew(root)
+        root = library.expression(walker, body, op, operands)
         body.registers[op.dst] = Mark(found.mask, found.roots | {root})
 
 

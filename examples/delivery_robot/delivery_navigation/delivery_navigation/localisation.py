@@ -55,8 +55,8 @@ class Localisation(HeartbeatNode):
         self._transforms.sendTransform(self._correction)
         try:
             found = self._buffer.lookup_transform('map', 'base_link', Time())
-        except TransformException as error:
-            self.get_logger().warning(f'not localised: {error}', throttle_duration_sec=5.0)
+        except TransformException:
+            self.get_logger().warning('not localised', throttle_duration_sec=5.0)
             return
         pose = PoseStamped(header=found.header)
         pose.pose.position.x = found.transform.translation.x

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import lift
 from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Ref, Unknown, Value
 from rosward.engine.cpp.converting import derives
 from rosward.engine.cpp.linked import linked
@@ -33,6 +34,8 @@ def message_of(machine: Engine, type_: Value, args: Sequence[Value]) -> Value:
             return typed(machine, option, type_, MESSAGE)
         if isinstance(option, Ref) and derives(machine.obj(option).cls, type_):
             return _message_in(machine, option, type_)
+        if isinstance(option, Ref) and machine.obj(option).kind == "instance":  # a time as its message
+            return typed(machine, machine.unknown(Cause.CALL, "conversion"), type_, MESSAGE)
         return machine.allocate(Obj("instance", type_), "message")
 
     return lift(one, read(machine, args[0]))

@@ -166,6 +166,7 @@ def _effects(walker: Walker, function: Function, given: list[Mark], pc: int) -> 
     for mark in given[function.code.parameters.names[:1] == ("this",) :]:
         mask |= walker.memory.deep(value(walker, mark))
     brought = library.perform(walker, name, mask, pc)
+    library.fails(walker, name, mask | brought)
     for parameter, mark in zip(function.code.parameters.names, given, strict=False):
         if ("self" if parameter == "this" else parameter) in said.changes or "*" in said.changes:
             walker.memory.write_any(mark.roots, Mark(mask | brought), mask)

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, TypeGuard
 
+from rosward.domain.choice import options
+from rosward.domain.values import Ref
 from rosward.effects.flows import Source
-from rosward.engine.running.seen import Seen
+from rosward.engine.running.seen import Seen, refs_of
 from rosward.flow import library
 from rosward.flow.body import Body
 from rosward.flow.cpp.values import (
@@ -19,7 +21,7 @@ from rosward.flow.cpp.values import (
     slots,
     value,
 )
-from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES, STREAMS
+from rosward.flow.marked_cpp import LOGS, MOVES, READS, SIZES, SORTS, STORES, STREAMS, is_setter
 from rosward.flow.marks import HANDLED, NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.native import parameters
 from rosward.flow.outside import cleaned, out
@@ -81,6 +83,8 @@ def natives(
             if address not in {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}:
                 memory.write_any([address], written, body.pc | near.mask)
     _written(walker, marks, seen, wrote, written, body)
+    if not MOVES.isdisjoint(last):
+        _moved(walker, wrote, near if seen.bound or SORTS.isdisjoint(last) else written)
     if own:
         passed_on = Mark(whole.mask, nameless(whole)) if not _PASSING.isdisjoint(names) else NOTHING
         return passed_on.under(body.pc | brought | arising(walker, seen))
@@ -150,6 +154,16 @@ def _written(walker: Walker, marks: list[Mark], seen: Seen, wrote: set[int], wri
             Mark(written.mask, written.roots - {address}),
             body.pc | written.mask,
         )
+
+
+def _moved(walker: Walker, wrote: set[int], by: Mark) -> None:
+    """Objects that stand in a container change their places in it: which one is where, is decided by what they were compared by."""
+    for address in wrote:
+        record = walker.shape.record(address)
+        if record is not None and record.kind == "list":
+            values = [o for v in (*(record.items or ()), record.rest) if v is not None for o in options(v)]
+            parts = [part for v in values if v.__class__ is Ref for part in refs_of(v)]
+            walker.memory.write_any(parts, Mark(demoted(by.mask)))
 
 
 _CONTAINERS: Final = frozenset({"list", "set", "dict"})
@@ -265,7 +279,7 @@ def strange(
     if all(said.releases for said in known):
         cleaned(walker, names[0], mask)
         return Mark(body.pc | given, frozenset((root,)))
-    if not all(said.is_known and not said.changes for said in known):
+    if not all(said.is_known and not said.changes for said in known) or any(map(is_setter, names)):
         memory.write_any(reached, Mark(mask | given, behind), mask | given)
         if len(reached) > _FEW:  # it may have written each into each
             memory.merge(reached)

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
+from rosward.flow import library
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.native.native_call import NativeCall
 from rosward.flow.reading import elements, opaque
@@ -123,6 +124,14 @@ def _reorder(call: NativeCall) -> Mark:
             mask |= memory.deep(call.walker.results.get(activation, NOTHING))
     memory.collapse(owner.roots)
     memory.write_any(owner.roots, Mark(mask))
+    return Mark(call.pc)
+
+
+def _shuffle(call: NativeCall) -> Mark:
+    """Any element may stand anywhere, as chance has it."""
+    roots = call.mark(0).roots
+    call.walker.memory.collapse(roots)
+    call.walker.memory.write_any(roots, Mark(library.perform(call.walker, call.name, 0, call.pc)))
     return Mark(call.pc)
 
 
@@ -252,6 +261,13 @@ def _one_element(call: NativeCall) -> Mark:
     return found.under(call.pc | call.walker.memory.size(call.mark(0).roots))
 
 
+def _one_if_any(call: NativeCall) -> Mark:
+    """The same of a queue; how many there are decides whether that fails."""
+    if call.walker.attempts:
+        call.walker.attempts[-1].mask |= call.walker.memory.size(call.mark(0).roots)
+    return _one_element(call)
+
+
 def _next(call: NativeCall) -> Mark:
     """The next element, which is used up: what comes next depends on what decides that control is here."""
     shape, found = call.walker.shape, _one_element(call)
@@ -333,7 +349,9 @@ KNOWN: Final[dict[str, Handler]] = {
     "dict": _dict,
     "copy.copy": _copy,
     "copy.deepcopy": _deep_copy,
-    **dict.fromkeys(("queue._any", "random.choice"), _one_element),
+    "queue._any": _one_if_any,
+    "random.choice": _one_element,
+    "random.shuffle": _shuffle,
     "next": _next,
     **dict.fromkeys(("max", "min", "sum"), _extreme),
     "len": _size,

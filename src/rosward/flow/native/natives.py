@@ -17,7 +17,7 @@ from rosward.effects.flows import Source
 from rosward.engine.arguments import ANY, LOOSE, ORDER
 from rosward.engine.running.seen import refs_of
 from rosward.flow import implicit, library
-from rosward.flow.marks import FUNCTIONS, HANDLED, NOTHING, Mark, decided, demoted, of_library
+from rosward.flow.marks import CANCELLED, FUNCTIONS, HANDLED, NOTHING, Mark, decided, demoted, of_library
 from rosward.flow.native import containers, frames, parameters, partials
 from rosward.flow.native.constructed import attributes, fill
 from rosward.flow.native.native_call import NativeCall
@@ -120,7 +120,8 @@ def _native(call: NativeCall) -> Mark:
     given = library.perform(call.walker, call.name.removeprefix("builtins."), mask, call.pc)
     if done is not None:
         return done(call).under(given)
-    if _kept(name):
+    if name in ("open", "io.open"):  # what is done to the file later is told by its name
+        library.may_be_missing(call.walker)
         return Mark(mask | given, frozenset((call.walker.shape.made(call.body.activation, call.op.number, name),)))
     return call.computed(mask | given)
 
@@ -131,11 +132,6 @@ def by_name(walker: Walker, op: ops.Op, body: Body, seen: Seen, name: str, marks
     if done is None or not isinstance(op, Call):
         return None
     return done(NativeCall(walker, op, body, seen, name, marks))
-
-
-def _kept(name: str) -> bool:
-    """Whether what is done to the result later is told by its name."""
-    return name in ("open", "io.open")
 
 
 def _variables(call: NativeCall) -> Mark:
@@ -233,6 +229,10 @@ def _of_library(call: NativeCall) -> Mark:
     mask = call.pc | _given_to_library(call)
     if call.key(1) == "cancel request":
         mask = call.pc | call.walker.sources.data(call.walker.source_here("cancel"))
+        call.walker.ask((CANCELLED,))
+        mask |= call.walker.stopped.get(CANCELLED, 0)
+    elif call.key(1) == "answer to a goal":
+        mask = call.pc | call.walker.sources.data(call.walker.source_here("result"))
     return call.computed(mask)
 
 

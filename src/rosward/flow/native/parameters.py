@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.values import Const
 from rosward.effects.flows import Sink
-from rosward.flow.marks import Mark, Root
+from rosward.flow.marks import Mark, Root, demoted
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -45,6 +45,15 @@ def kept(walker: Walker, nodes: Iterable[Root], name: object) -> int:
     held = _held(nodes)
     found = walker.memory.read(held, name) if isinstance(name, str) else walker.memory.read_all(held)
     return found.mask
+
+
+def judged(walker: Walker, node: Root, mask: int) -> None:
+    """A callback says whether parameters of a node are set: what decides that, but for other ones that are set along, decides their values."""
+    decides = 0
+    for source in walker.sources.apart(mask)[1]:
+        decides |= walker.sources.data(source) if source.kind != "parameter" else 0
+    if decides:
+        keep(walker, (node,), None, Mark(), demoted(decides))
 
 
 def declared(walker: Walker, nodes: Iterable[Root]) -> int:

@@ -52,7 +52,10 @@ class Queue:
     def _taken_of(self, items):
         return items.popleft()
     def put(self, item, block=True, timeout=None):
-        if self._is_exact() and not block and self.full():
+        if not self._is_exact():
+            if self.maxsize > 0 and not block:
+                _any(self._all)  # how many there are decides whether it is full
+        elif not block and self.full():
             raise Full
         self._put(item)
     def put_nowait(self, item):

@@ -75,6 +75,7 @@ def call(*popenargs, timeout=None, **kwargs):
     _launches(popenargs[0] if popenargs else kwargs.get('args'))
     return unknown('input', 'exit status of a program', 'int')
 @sink("process")
+@source("process")
 def check_call(*popenargs, **kwargs):
     _launches(popenargs[0] if popenargs else kwargs.get('args'))
     return 0

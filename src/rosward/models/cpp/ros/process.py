@@ -21,6 +21,7 @@ from rosward.models.cpp.ros.handed import NOTHING, given, target_of
 from rosward.models.cpp.values.slots import read
 from rosward.models.launch import natives as launch
 from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.python.plain import EXCEPTION_HINT
 from rosward.models.ros import effects
 from rosward.models.ros.given_words import keep_line
 
@@ -143,6 +144,13 @@ def _throw(call: NativeCall) -> Value:
     return UNBOUND
 
 
+def _may_throw(call: NativeCall) -> Value:
+    """`may_throw()`: a library may throw one of its exceptions here, which only who catches it is told."""
+    if call.machine.is_tried:
+        call.machine.throw(call.machine.unknown(Cause.LIVE, "exception", EXCEPTION_HINT))
+    return NONE
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "pluginlib.names_in_workspace": _no_names,
     "pluginlib.of_workspace": _plugin,
@@ -151,6 +159,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "rosward.escape": _read_all("_rosward.escape"),
     "rosward.fail": _throw,
     "rosward.init": _init,
+    "rosward.may_throw": _may_throw,
     NOTHING: _nothing,
     "rosward.is_same_plugin": _is_same_plugin,
     "rosward.outside_plugin": _plugin,

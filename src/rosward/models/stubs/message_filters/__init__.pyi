@@ -59,10 +59,10 @@ class Cache(SimpleFilter):
         return [self._newest() for _ in unknown("message", "messages in the cache")]
 
     def getElemAfterTime(self, stamp):
-        return self.getLast()
+        return self._newest() if unknown("message", "messages in the cache", "bool") else None
 
     def getElemBeforeTime(self, stamp):
-        return self.getLast()
+        return self._newest() if unknown("message", "messages in the cache", "bool") else None
 
     @reads_only
     def getLastestTime(self): ...

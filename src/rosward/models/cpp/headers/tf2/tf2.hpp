@@ -27,6 +27,7 @@ public:
   template<typename... ArgsT>
   [[rosward::holds, rosward::source("tf")]] geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
   {
+    rosward::may_throw();
     return rosward::message<geometry_msgs::msg::TransformStamped>();
   }
   template<typename... ArgsT>

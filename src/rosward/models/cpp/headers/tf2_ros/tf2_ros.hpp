@@ -69,12 +69,17 @@ public:
   template<typename... ArgsT>
   [[rosward::holds, rosward::source("tf")]] geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
   {
+    rosward::may_throw();
     return rosward::message<geometry_msgs::msg::TransformStamped>();
   }
   template<typename... ArgsT>
   [[rosward::holds, rosward::source("tf")]] bool canTransform(const ArgsT & ... args) const {return rosward::unknown("live", "whether a transform is there", "bool");}
   template<typename InT, typename... ArgsT>
-  [[rosward::holds, rosward::source("tf")]] InT transform(const InT & in, const ArgsT & ... args) const {return in;}
+  [[rosward::holds, rosward::source("tf")]] InT transform(const InT & in, const ArgsT & ... args) const
+  {
+    rosward::may_throw();
+    return in;
+  }
 };
 
 class Buffer : public BufferInterface

@@ -44,10 +44,12 @@ class ClientGoalHandle:
     def stamp(self): ...
 
     @property
-    def accepted(self) -> bool: ...
+    def accepted(self):
+        return unknown("message", "answer to a goal", "bool")
 
     @property
-    def status(self) -> int: ...
+    def status(self):
+        return unknown("message", "answer to a goal", "int")
 
     @sends("cancel", "", "_action_client._node", "_action_client._action_name", "_action_client._action_type")
     @waits

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: Apache-2.0
+"""pygame.joystick."""
+
+from _rosward import sink, source
+
+class Joystick:
+    @source("device")
+    def get_axis(self, axis_number, /): ...
+    @source("device")
+    def get_button(self, button, /): ...
+    @source("device")
+    def get_hat(self, hat_number, /): ...
+    @source("device")
+    def get_ball(self, ball_number, /): ...
+    @sink("device")
+    def rumble(self, low_frequency, high_frequency, duration): ...

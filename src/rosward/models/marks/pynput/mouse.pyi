@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: Apache-2.0
+"""pynput: what a person does with the mouse."""
+
+from _rosward import source
+
+@source("device")
+class Listener: ...
