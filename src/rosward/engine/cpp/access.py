@@ -20,6 +20,7 @@ from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.types import pointee
 from rosward.engine.running.frame import Frame
 from rosward.models.cpp.memory import pointer_to
+from rosward.models.cpp.values.contents import has_content, within
 from rosward.models.cpp.values.slots import plain_number, read
 from rosward.models.cpp.values.types import is_reference, name_of
 from rosward.models.python.plain import text_of
@@ -110,6 +111,9 @@ def item(machine: Engine, owner: Value, index: Value, *, constant: bool = False)
             operator = members.member(machine, option, "operator[]", (), class_cast_to(machine, option))
             if isinstance(operator, Overloads):
                 operator = of_constness(operator, constant=constant)
+            elif has_content(machine, option):
+                found.append(item(machine, within(machine, option), index, constant=constant))
+                continue
             found.append(calls.invoke(machine, operator, (index,)))
         elif isinstance(option, Ref):
             found.append(_element(machine, option, index))
@@ -172,6 +176,8 @@ def _object(machine: Engine, ref: Ref) -> Value:
             if isinstance(operator, Overloads):
                 given = calls.invoke(machine, operator, ())
                 return deref(machine, given) if name == "operator->" else given
+        if has_content(machine, ref):
+            return deref(machine, within(machine, ref))
     if obj.kind == "list":
         return Slot(ref, "item", _ZERO)
     return ref

@@ -38,6 +38,7 @@ from rosward.models.cpp.algorithms.ranges import emit, is_inserter
 from rosward.models.cpp.values.boxes import become_box, is_box, may_be_another
 from rosward.models.cpp.values.characters import as_string, is_text
 from rosward.models.cpp.values.chrono import as_duration, is_time
+from rosward.models.cpp.values.contents import has_content, within
 from rosward.models.cpp.values.conversions import convert
 from rosward.models.cpp.values.copies import ASSIGN, copied, write
 from rosward.models.cpp.values.slots import plain_number, read
@@ -74,6 +75,7 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     if own is not None:
         return own if own is UNBOUND else slot
     if operator != "=":
+        slot = within(machine, slot)
         before = read(machine, slot)
         if _is_whole(before) and _declared(machine, slot) is not None:  # the type of the place counts
             before = plain_number(before)
@@ -83,6 +85,8 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
         if not isinstance(slot, Ref) or value != slot:
             write(machine, slot, _as_declared(machine, slot, value))
         return slot
+    if not isinstance(slot, Ref) or not isinstance(machine.obj(slot).cls, Class):
+        src = _without_class(machine, slot, src)
     if isinstance(slot, Ref):
         part = _part(machine, slot, src)
         return part if part is not None else _object(machine, slot, src)
@@ -97,6 +101,15 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
     write(machine, slot, _as_declared(machine, slot, value))
     is_left = before.__class__ is Pointer and before != value
     return UNBOUND if is_left and not endings.end(machine, before) else slot
+
+
+def _without_class(machine: Engine, slot: Value, src: Value) -> Value:
+    """What is assigned to what is no object of a class: the content of one, where that is what stands there."""
+    if not any(has_content(machine, option) for option in options(read(machine, src))):
+        return src
+    before = options(read(machine, slot))
+    is_plain = all(not isinstance(machine.obj(o).cls, Class) if isinstance(o, Ref) else is_text(o) for o in before)
+    return within(machine, src) if is_plain else src
 
 
 def _of_message(machine: Engine, slot: Value, braces: Tuple) -> Value:

@@ -20,9 +20,11 @@ from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleV
 from rosward.engine.arguments import ANY
 from rosward.engine.cpp.categories import cast_to, numbers_written
 from rosward.engine.cpp.classes import bind_template
+from rosward.engine.cpp.function_types import deduce_from
 from rosward.engine.cpp.handing import is_member, objects_of
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
+from rosward.engine.cpp.special import is_of_functions, mentions
 from rosward.engine.cpp.static_types import number_at
 from rosward.engine.cpp.types import is_message, is_pointer_pattern, match, pointee, type_of
 from rosward.ir.symbols import ParameterSymbol, Signature, TypePattern
@@ -118,6 +120,7 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
     if not wanted:
         return bindings
     cast, numbers = cast_to(machine, given), numbers_written(machine, given)
+    of_class: Value = NONE
     for index, parameter in enumerate(signature.parameters):
         pattern = parameter.type
         if parameter.pack:
@@ -130,6 +133,8 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
                     bindings[key] = Tuple(tuple(found.get(key, NONE) for found in several))
         elif index < len(given) and pattern.size and pattern.size in wanted:
             bindings |= _of_array(machine, pattern, given[index], wanted)
+        elif index < len(given) and is_of_functions(pattern):
+            of_class = deduce_from(machine, read(machine, given[index]), pattern, wanted, bindings)
         elif index < len(given) and (pattern.names or pattern.pointers or pattern.arguments):
             seen = cast[index] if cast and not pattern.pointers else None
             if seen is None and not pattern.pointers:
@@ -138,7 +143,16 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
             for name in _packs(pattern):  # it is none of nothing: `std::integer_sequence<T, Ns...>` of something else
                 if name in wanted and name not in bindings:
                     bindings[name] = machine.unknown(Cause.CALL, f"parameter pack {name}")
+    if of_class != NONE:  # `void (C::*f)(M)` is kept as `void (*f)(M)`
+        bindings |= dict.fromkeys(_unmentioned(signature, wanted), of_class)
     return bindings
+
+
+def _unmentioned(signature: Signature, wanted: frozenset[str]) -> list[str]:
+    """The only parameter of a template that no parameter of the function is written with, if there is one."""
+    open_ = [p.name for p in signature.template if p.name in wanted and p.default is None and not p.pack]
+    found = [n for n in open_ if not any(mentions(p.type, frozenset({n})) for p in signature.parameters)]
+    return found if len(found) == 1 else []
 
 
 def _packs(pattern: TypePattern) -> Iterator[str]:

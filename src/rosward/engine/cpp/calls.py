@@ -29,7 +29,7 @@ from rosward.engine.cpp.opaque import opaque
 from rosward.engine.cpp.overloading import choose, fitting
 from rosward.engine.cpp.specialising import specialised
 from rosward.engine.cpp.thunks import evaluate
-from rosward.engine.cpp.types import dotted, type_of
+from rosward.engine.cpp.types import dotted, is_type, type_of
 from rosward.engine.cpp.values import function_of, overloads, used
 from rosward.engine.python import calls as python_calls
 from rosward.engine.unknown import declared
@@ -37,6 +37,7 @@ from rosward.engine.unknown.escape import name_of
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.c_functions import C_FUNCTIONS
 from rosward.models.cpp.values.boxes import is_box, unboxed
+from rosward.models.cpp.values.contents import has_content, within
 from rosward.models.cpp.values.slots import read
 
 if TYPE_CHECKING:
@@ -103,10 +104,18 @@ def invoke(
     if is_box(machine, function):
         return invoke(machine, read(machine, unboxed(machine, function)), args, types, keywords)
     if isinstance(function, Ref):
-        operator = members.member(machine, function, "operator()", (), class_cast_to(machine, function))
-        if isinstance(operator, Overloads):
-            return invoke(machine, operator, args, types, keywords)
+        called = _called(machine, function)
+        if called is not None:
+            return invoke(machine, called, args, types, keywords)
     return unknown_call(machine, function, args, types)
+
+
+def _called(machine: Engine, ref: Ref) -> Value | None:
+    """What is called of an object: its operator, or the function that it has in it by its base."""
+    operator = members.member(machine, ref, "operator()", (), class_cast_to(machine, ref))
+    if isinstance(operator, Overloads):
+        return operator
+    return read(machine, within(machine, ref)) if has_content(machine, ref) else None
 
 
 def _of_one(
@@ -316,7 +325,7 @@ def _of_library(machine: Engine, function: External | TypeOf, args: Arguments, k
         if isinstance(function, TypeOf):
             named["types"] = Tuple(function.arguments)
         return run_native(machine, native, name, args, named)
-    if construct.is_type(machine, function):
+    if is_type(machine, function):
         return construct.make(machine, function, args, "paren")
     if "." not in name:
         found = _by_arguments(machine, name, args)

@@ -28,6 +28,7 @@ from rosward.engine.cpp.constructors import (
     inheriting,
     is_copy,
     is_copying,
+    outside,
     takes,
     takes_list,
 )
@@ -36,13 +37,14 @@ from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.message_of import message_of
 from rosward.engine.cpp.natives import run_native
-from rosward.engine.cpp.overloading import choose
+from rosward.engine.cpp.overloading import choose, fitting
 from rosward.engine.cpp.thunks import evaluate
-from rosward.engine.cpp.types import dotted, is_message, pointee
+from rosward.engine.cpp.types import dotted, is_message, is_of_language, pointee
 from rosward.engine.cpp.values import function_of, versions
 from rosward.engine.unknown.escape import name_of
 from rosward.ir.cpp import Form
 from rosward.ir.symbols import Symbol
+from rosward.models.cpp.values.contents import CONTENT, content_base, is_content, put
 from rosward.models.cpp.values.conversions import convert as convert_plain
 from rosward.models.cpp.values.conversions import default_value
 from rosward.models.cpp.values.copies import copied
@@ -57,8 +59,8 @@ __all__ = [
     "DESIGNATED",
     "construct_in_place",
     "field_default",
-    "is_type",
     "make",
+    "make_base",
     "make_of_anything",
     "part_of",
     "set_field",
@@ -70,26 +72,6 @@ DESIGNATED: Final = External("<designated>")
 
 _OWNING: Final = frozenset({Shape.ARRAY, Shape.LIST, Shape.MAP, Shape.PAIR})
 """Containers that make what is in braces their own: an element may be an object that refers to something (`{{lamp, "a"}}`)."""
-
-
-def is_type(machine: Engine, value: Value) -> bool:
-    """Whether a value of a library is a type that something can be made of."""
-    if isinstance(value, Class) or is_message(value):
-        return True
-    if not isinstance(value, (External, TypeOf)):
-        return False
-    if shape_of(value) is not Shape.OTHER or is_enumeration(machine, value):
-        return True
-    name = dotted(value)
-    return (isinstance(value, TypeOf) and _is_own(value)) or machine.library.native(f"{name}.new") is not None
-
-
-_WRITTEN: Final = frozenset({"array", "const", "function", "pointer", "reference", "rvalue", "volatile"})
-
-
-def _is_own(type_: TypeOf) -> bool:
-    """Whether a type is one of the language, not a template that nothing declares (`Box<A>`, which may be a function)."""
-    return "." not in type_.name and (not type_.arguments or type_.name in _WRITTEN)
 
 
 def _is_node(machine: Engine, value: Value) -> bool:
@@ -115,7 +97,7 @@ def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Va
         if len(args) == 1:
             args = (as_wanted(machine, args[0], type_),)
         return run_native(machine, native, f"{name}.new", (type_, *args), {"form": Const(form)})
-    is_foreign = isinstance(type_, External) or (isinstance(type_, TypeOf) and not _is_own(type_))
+    is_foreign = isinstance(type_, External) or (isinstance(type_, TypeOf) and not is_of_language(type_))
     if is_foreign and "." not in name and any(_is_node(machine, arg) for arg in args):
         handing.give_to(machine, args, type_)  # a class of another library, no number
     if pointee(type_) is not None or shape_of(type_) is not Shape.OTHER or "." not in name:
@@ -145,14 +127,8 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
     cls = info.cls  # what is named in its own bases is not whole
     if len(args) == 1 and isinstance(args[0], Tuple) and form != "paren" and not takes_list(machine, info):
         args = args[0].items
-    elif (
-        args
-        and form == "brace"
-        and not _is_list(args)
-        and takes_list(machine, info)
-        and not is_copy(machine, info, args)
-    ):
-        args = (Tuple(args),)
+    else:
+        args = _braced(machine, info, args, form)
     args = by_operators(machine, args, cls)
     of_functions = visitors.visitor(machine, info, args)
     if of_functions is not None:
@@ -171,6 +147,24 @@ def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) ->
         return UNBOUND
     handing.watch(machine, cls, ref)
     return ref
+
+
+def make_base(machine: Engine, ref: Ref, base: Value, args: tuple[Value, ...], form: Form) -> bool:
+    """Make what of an object belongs to a base; False where that never ends."""
+    own = linked(machine).info(base)
+    if own is not None:
+        return construct_in_place(machine, ref, own, _braced(machine, own, args, form))
+    if is_content(base):
+        return put(machine, ref, make(machine, base, args, form))
+    if args:
+        handing.give_to(machine, args, base)
+    return True
+
+
+def _braced(machine: Engine, info: Info, args: tuple[Value, ...], form: Form) -> tuple[Value, ...]:
+    """What stands in braces is one list, where a constructor of the class takes such a one."""
+    is_list = args and form == "brace" and not _is_list(args) and takes_list(machine, info)
+    return (Tuple(args),) if is_list and not is_copy(machine, info, args) else args
 
 
 def part_of(machine: Engine, value: Value, type_: Value) -> Value:
@@ -230,10 +224,13 @@ def construct_in_place(
     is_delegated = linked(machine).constructing[-1:] == [(ref.address, info.cls)]
     with _as_class(machine, ref, info.cls):
         functions = [function_of(machine, s, info.env) for s in constructors(machine, info)]
+        elsewhere = outside(info)
+        if elsewhere is not None and not fitting(machine, functions, args):
+            return initialise(machine, ref, info, (), {dotted(elsewhere): args})
         bases = inheriting(machine, info) if args else []
         inherited = inherited_constructors(machine, bases)
         if bases and not any(takes(f, len(args)) for f in (*functions, *inherited)):
-            return initialise(machine, ref, info, (), {bases[0].env.address: args})
+            return initialise(machine, ref, info, (), {bases[0].env.name: args})
         if not functions and not inherited:
             return initialise(machine, ref, info, args, {})
         own = _not_delegating(machine, functions) if is_delegated else functions
@@ -242,7 +239,7 @@ def construct_in_place(
         def run(function: Function) -> bool:
             base = inherited.get(function)
             if base is not None:
-                return initialise(machine, ref, info, (), {base.env.address: args})
+                return initialise(machine, ref, info, (), {base.env.name: args})
             return _run(machine, function, ref, info, args)
 
         if len(chosen) == 1:
@@ -275,6 +272,8 @@ def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
             construct_in_place(machine, ref, inner, (source,), copying=True)
             apart.update(base.mro)
     objects = [(o, machine.obj(o)) for o in options(read(machine, source)) if isinstance(o, Ref)]
+    if content_base(cls) not in (None, *apart):
+        put(machine, ref, copied(machine, join_all(obj.attrs.get(CONTENT, UNBOUND) for _, obj in objects)))
     for each in cls.mro:
         if each in apart:
             continue
@@ -299,7 +298,7 @@ def _run(machine: Engine, function: Function, ref: Ref, info: Info, args: tuple[
 
 
 def initialise(
-    machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...], for_bases: dict[int, tuple[Value, ...]]
+    machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...], for_bases: dict[str, tuple[Value, ...]]
 ) -> bool:
     """What a class without a constructor of its own does: bases, then fields, of an aggregate in the order of the arguments."""
     assert info.cls is not None
@@ -314,14 +313,14 @@ def initialise(
         given = []
     for base in linked(machine).bases_to_make(ref, info):
         own = linked(machine).info(base)
-        if own is not None:
-            inner = for_bases.get(own.env.address, ())
-            if given and not inner:
-                first = given.pop(0)
-                inner = first.items if isinstance(first, Tuple) else (first,)
-            assert own.cls is not None
-            if not construct_in_place(machine, ref, own, inner):
-                return False
+        inner = for_bases.get(dotted(base) if own is None else own.env.name, ())
+        form: Form = "paren" if inner else "default"
+        if given and not inner:
+            first = given.pop(0)
+            form = "brace" if isinstance(first, Tuple) else "paren"
+            inner = first.items if isinstance(first, Tuple) else (first,)
+        if not make_base(machine, ref, base, inner, form):
+            return False
     chosen = False  # of the members of a union, the first is given
     for symbol in info.fields:
         if chosen and symbol.overlaps:

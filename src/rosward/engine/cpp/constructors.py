@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.values import NONE, Class, Function, Ref, Value
@@ -16,7 +16,9 @@ from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.values import function_of, value_of
 from rosward.ir.symbols import Symbol, SymbolKind
+from rosward.models.cpp.values.contents import content_base
 from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.types import Shape, name_of, shape_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -30,9 +32,13 @@ __all__ = [
     "is_copying",
     "is_one",
     "least",
+    "outside",
     "takes",
     "takes_list",
 ]
+
+
+_SEVERAL: Final = frozenset({Shape.LIST, Shape.MAP, Shape.MULTIMAP, Shape.SET})
 
 
 def constructors(machine: Engine, info: Info) -> list[Symbol]:
@@ -43,7 +49,7 @@ def constructors(machine: Engine, info: Info) -> list[Symbol]:
 
 def takes_list(machine: Engine, info: Info) -> bool:
     """Whether one takes a `std::initializer_list` first."""
-    return any(
+    return inherits_list(machine, info) or any(
         p.type.names[-1:] == ("initializer_list",) for s in constructors(machine, info) for p in s.parameters[:1]
     )
 
@@ -96,6 +102,24 @@ def _takes_derived(machine: Engine, info: Info, symbol: Symbol) -> bool:
     derived = linked(machine).info(type_) if isinstance(type_, Class) else None
     cls = derived.cls if derived is not None else None  # what is named in its own bases is not whole
     return cls is not None and cls != info.cls and info.cls in cls.mro
+
+
+def outside(info: Info) -> Value | None:
+    """The base that is no class of the program of which a class has the constructors: `using std::vector<Corner>::vector`."""
+    usings = [s.target for s in info.symbol.members if s.kind is SymbolKind.USING and s.target]
+    for base in info.cls.bases if usings and info.cls is not None else ():
+        own = name_of(base).rpartition(".")[2]
+        if own and not isinstance(base, Class) and any(u[-1] == own or u[-2:-1] == u[-1:] for u in usings):
+            return base
+    return None
+
+
+def inherits_list(machine: Engine, info: Info) -> bool:
+    """Whether what stands in braces is what an object of the class then holds."""
+    base = content_base(info.cls) if info.cls is not None else None
+    if base is None or shape_of(base) not in _SEVERAL:
+        return False
+    return outside(info) is not None or any(takes_list(machine, base) for base in inheriting(machine, info))
 
 
 def inheriting(machine: Engine, info: Info) -> list[Info]:

@@ -24,6 +24,7 @@ from rosward.engine.cpp.types import dotted
 from rosward.engine.cpp.values import value_of
 from rosward.ir.cpp import Form
 from rosward.ir.symbols import Symbol
+from rosward.models.cpp.values.contents import content_base, within
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 
@@ -66,7 +67,12 @@ def as_wanted(machine: Engine, value: Value, type_: Value) -> Value:
 def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
     """What the conversion operator of an object to a type gives; the value itself where it has none."""
     info = linked(machine).info(machine.obj(value).cls) if isinstance(value, Ref) else None
-    if info is None or info.cls is None or type_ in info.cls.mro:
+    if info is None or info.cls is None:
+        return value
+    base = content_base(info.cls)
+    if base is not None and not isinstance(type_, Class) and shape_of(type_) is shape_of(base):
+        return read(machine, within(machine, value))
+    if type_ in info.cls.mro:
         return value  # never to its own class or a base of it
     wanted = dotted(type_).rpartition(".")[2]
     cast = class_cast_to(machine, value)

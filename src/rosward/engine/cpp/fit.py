@@ -10,6 +10,7 @@ from rosward.domain.slots import Overloads, Pointer, TypeOf, is_char_text
 from rosward.domain.values import NONE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine.cpp.convertible import NUMBERS, TEXTS, converts, is_convertible
 from rosward.engine.cpp.enumerations import enumeration_of, is_enumeration
+from rosward.engine.cpp.function_types import may_be, of_type
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.types import CHARACTERS, STRING, dotted, pointee, type_of
 from rosward.ir.arithmetic import INT, LONG
@@ -58,7 +59,7 @@ def fit(machine: Engine, value: Value, type_: Value) -> int:
         is_text = value != Const(None) and type_of(machine, value) == CHARACTERS
         return _characters(machine, value, type_, name, target) if is_text else _pointer(machine, value, target, name)
     if isinstance(value, CALLABLES):
-        return _callable(machine, type_, name)
+        return _callable(machine, value, type_, name)
     if isinstance(value, (Const, Text, Unknown)):
         return _plain(machine, value, type_, name, target)
     if isinstance(value, Tuple):
@@ -125,7 +126,11 @@ def _is_open(machine: Engine, name: str) -> bool:
     return "." in name and not name.startswith("std.") and machine.library.native(f"{name}.new") is None
 
 
-def _callable(machine: Engine, type_: Value, name: str) -> int:
+def _callable(machine: Engine, value: Value, type_: Value, name: str) -> int:
+    wanted = of_type(type_)
+    if wanted is not None:
+        fits = may_be(machine, value, wanted)
+        return NEVER if fits is False else EXACT if fits else NEAR
     if name in {"function", "std.function"}:
         return EXACT
     if name in _INTEGERS | _FLOATS | TEXTS | {"bool"}:

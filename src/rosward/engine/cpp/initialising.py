@@ -14,7 +14,6 @@ from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import construct
 from rosward.engine.cpp.constructors import constructors
 from rosward.engine.cpp.converting import decaying
-from rosward.engine.cpp.handing import give_to
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.running.frame import Frame
@@ -111,16 +110,14 @@ def _bases(
     for base in linked(machine).bases_to_make(this, info):
         init = next((m for t, m in inits if t == base), None)
         args: tuple[Value, ...] = ()
+        form: cpp.Form = "default"
         if init is not None:
+            form = init.form
             if not machine.run(init.body, frame):
                 return False
             args = given(frame, init.arguments)
-        own = linked(machine).info(base)
-        if own is not None:
-            if not construct.construct_in_place(machine, this, own, args):
-                return False
-        elif args:
-            give_to(machine, args, base)
+        if not construct.make_base(machine, this, base, args, form):
+            return False
     return True
 
 

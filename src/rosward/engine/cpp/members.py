@@ -21,13 +21,15 @@ from rosward.engine.cpp.types import dotted, is_message, type_of
 from rosward.engine.cpp.values import overloads, value_of, variable
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.constants import known_name
+from rosward.models.cpp.values.contents import has_content, within
 from rosward.models.cpp.values.slots import read
+from rosward.models.cpp.values.types import method_types
 from rosward.models.cpp.values.unions import take_member
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-__all__ = ["designated", "designator", "is_field", "is_virtual", "member", "members"]
+__all__ = ["designated", "designator", "is_field", "is_virtual", "member", "members", "of_content"]
 
 
 def members(
@@ -136,11 +138,21 @@ def is_virtual(machine: Engine, info: Info, name: str) -> bool:
     return False
 
 
+def of_content(machine: Engine, place: Value, name: str) -> Value:
+    """What the content of an object has under a name: a native, with where that stands."""
+    for type_ in (t for option in options(read(machine, place)) for t in method_types(machine, option)):
+        if machine.library.native(f"{type_}.{name}") is not None:
+            return Partial(External(f"{type_}.{name}"), (place,), ())
+    return member(machine, place, name) if isinstance(place, Ref) else machine.unknown(Cause.ERROR, f"member {name}")
+
+
 def _from_outside(machine: Engine, owner: Ref, cls: Value, name: str, types: tuple[Value, ...]) -> Value:
     """What no class of the program has, a base from elsewhere may: a native, with the object, where there is one."""
     outside = [b for b in cls.mro if not isinstance(b, Class)] if isinstance(cls, Class) else []
     if any(map(is_message, outside)):
         return Slot(owner, "field", name)
+    if has_content(machine, owner):
+        return of_content(machine, within(machine, owner), name)
     libraries = [External(f"{b.name}.{name}") for b in outside if isinstance(b, (External, TypeOf))]
     for function in libraries:
         if machine.library.native(function.name) is not None:

@@ -27,6 +27,7 @@ from rosward.engine.cpp.values import overloads
 from rosward.engine.cpp.variants import of_variant
 from rosward.engine.running.frame import Frame
 from rosward.models.cpp.receivers import OF_PLACES
+from rosward.models.cpp.values.contents import has_content, is_content, within
 from rosward.models.cpp.values.copies import copied, write
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.types import method_types, name_of
@@ -194,6 +195,8 @@ def _hiding(machine: Engine, value: Ref, name: str, declared: Callable[[], Value
 
 
 def _of_scope(machine: Engine, value: Ref, name: str, types: tuple[Value, ...], scope: Value | None) -> Value | None:
+    if scope is not None and is_content(scope) and has_content(machine, value):
+        return members.of_content(machine, within(machine, value), name)
     info = linked(machine).info(scope) if scope is not None else None
     found = names.in_class(machine, info, name) if info is not None else None
     return overloads(machine, found, types, value) if found is not None else None
@@ -214,6 +217,7 @@ def iterated(machine: Engine, value: Value) -> Value:
                 return _walked(machine, copied(machine, found), calls.invoke(machine, end, ()))
             target = getattr(found, "target", None)
             return target.base if isinstance(target, Slot) else found
+        return within(machine, held)
     return value
 
 

@@ -21,7 +21,9 @@ from rosward.ir import cpp, ops
 from rosward.ir.cpp_names import CALLED
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.facts import GENERIC
+from rosward.models.cpp.values.contents import content_base, has_content, within
 from rosward.models.cpp.values.traits import NO_TYPE
+from rosward.models.cpp.values.types import name_of
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -41,7 +43,7 @@ def name(machine: Engine, op: cpp.Name, frame: Frame) -> Value:
     elif op.base != ops.NO_REGISTER and isinstance(found, External) and _is_absent(machine, op, frame):
         value = NO_TYPE
     else:
-        value = found if qualified else _not_declared(machine, frame, found)
+        value = _of_content(machine, frame, found) if qualified else _not_declared(machine, frame, found)
     return value if op.slot else access.value(machine, value)
 
 
@@ -157,6 +159,16 @@ def _declared(
 def _is_of(machine: Engine, this: Ref, owner: Info) -> bool:
     cls = machine.part(this, KIND).cls
     return isinstance(cls, Class) and owner.cls in cls.mro
+
+
+def _of_content(machine: Engine, frame: Frame, found: Value) -> Value:
+    """`std::vector<T>::push_back` is that of the object around, where its class derives from that; anything else as it is."""
+    if not isinstance(found, (External, TypeOf)) or not found.name.startswith("std."):
+        return found
+    base, _, last = found.name.rpartition(".")
+    objects = [o for o in this_of(frame) if has_content(machine, o)]
+    own = [o for o in objects if name_of(content_base(machine.part(o, KIND).cls) or NONE) == base]
+    return join_all(members.of_content(machine, within(machine, o), last) for o in own) if own else found
 
 
 def _not_declared(machine: Engine, frame: Frame, found: Value) -> Value:

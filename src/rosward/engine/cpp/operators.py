@@ -24,6 +24,7 @@ from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
 from rosward.models.cpp import operators as plain
 from rosward.models.cpp.values.boxes import unboxed
+from rosward.models.cpp.values.contents import has_content, within
 from rosward.models.cpp.values.conversions import convert
 from rosward.models.cpp.values.slots import read
 
@@ -108,7 +109,7 @@ def unary(machine: Engine, operator: str, value: Value) -> Value:
     own = own_operator(machine, written, (value,))
     if own is not None:
         return own
-    held = read(machine, value)
+    held = read(machine, within(machine, value))
     if operator == "not":
         decided = truth(machine, held)
         if decided is None and held.__class__ in (Choice, Const):
@@ -122,7 +123,7 @@ def binary(machine: Engine, operator: str, left: Value, right: Value, *, inplace
     own = own_operator(machine, operator, (left, right)) if not inplace else None
     if own is not None:
         return own
-    value = plain.binary(machine, operator, left, right)
+    value = plain.binary(machine, operator, within(machine, left), within(machine, right))
     before = left.value if inplace and isinstance(left, Const) else None
     if isinstance(before, Whole) and isinstance(value, Const):  # `auto u = bytes[0]; u += 255;`
         return convert(machine, value, TypeOf(before.named, ()))
@@ -138,7 +139,7 @@ def compare(machine: Engine, operator: str, left: Value, right: Value) -> Value:
         equal = own_operator(machine, "==", (left, right))
         if equal is not None:
             return unary(machine, "not", equal)
-    return plain.compare(machine, operator, read(machine, left), read(machine, right))
+    return plain.compare(machine, operator, read(machine, within(machine, left)), read(machine, within(machine, right)))
 
 
 def truth(machine: Engine, value: Value) -> bool | None:
@@ -150,7 +151,7 @@ def truth(machine: Engine, value: Value) -> bool | None:
         own = members.member(machine, held, "operator bool")
         if isinstance(own, Overloads):
             return truth(machine, calls.invoke(machine, own, ()))
-        return None
+        return truth(machine, within(machine, held)) if has_content(machine, held) else None
     return plain.truth(machine, held)
 
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
-from rosward.domain.slots import Pointer
-from rosward.domain.values import Class, Const, Function, ModuleValue, Ref, Unknown, Value
+from rosward.domain.slots import Pointer, is_char_text
+from rosward.domain.values import NONE, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.cpp.binding import deduce
 from rosward.engine.cpp.categories import by_category, cast_to, numbers_written, same_parameters, undominated
 from rosward.engine.cpp.classes import bind_template
@@ -31,6 +31,7 @@ from rosward.engine.cpp.fit import (
     fit_object,
     is_number,
 )
+from rosward.engine.cpp.function_types import may_be, of_pattern
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.special import mentions, most_special
@@ -181,7 +182,8 @@ def _score(
         if parameter is None:
             return None
         as_type = cast[index] if cast else None
-        points = max(_fits(machine, env, parameter, o, bindings, generic, as_type) for o in options(value))
+        led = [o for o in options(value) if o != NONE] or [value]  # what a pointer is tells, not that it may be null
+        points = max(_fits(machine, env, parameter, o, bindings, generic, as_type) for o in led)
         if points == NEVER:
             return None
         if numbers and numbers[index]:
@@ -233,15 +235,18 @@ def _fits(
     cast: Value | None,
 ) -> int:
     pattern = parameter.type
+    if len(pattern.names) == 1 and pattern.names[0] in generic and pattern.pointers and not pattern.size:
+        return TEMPLATE if _may_point(machine, value) else CONVERTED
     if any(n in generic for n in pattern.names):
         is_whole = (
             pattern.names[0] in generic and (not pattern.pointers or bool(pattern.size)) and isinstance(value, Ref)
         )
         return DEDUCED if is_whole else TEMPLATE if pattern.names[0] in generic else CONVERTED
     if any(mentions(a, generic) for a in pattern.arguments):
-        return _shaped(
-            machine, pattern.names[-1] if pattern.names else "", is_pointer=is_pointer_pattern(pattern), value=value
-        )
+        wanted = of_pattern(machine, env, pattern, bindings, generic) if isinstance(value, CALLABLES) else None
+        if wanted is not None:
+            return NEVER if may_be(machine, value, wanted, generic) is False else TEMPLATE
+        return _shaped(machine, pattern, value)
     type_ = type_of_pattern(machine, env, pattern, bindings)
     return fit(machine, value, type_) if cast is None else _fit_cast(machine, value, type_, cast)
 
@@ -260,12 +265,30 @@ def _fit_cast(machine: Engine, value: Value, type_: Value, cast: Value) -> int:
     return EXACT if wanted == target else as_base(target, wanted) if wanted in target.mro else NEVER
 
 
-def _shaped(machine: Engine, name: str, *, is_pointer: bool, value: Value) -> int:
+def _may_point(machine: Engine, value: Value) -> bool:
+    """Whether a value may be given for `T *`: a pointer that owns nothing, an array."""
+    if isinstance(value, Pointer):
+        return not value.owner
+    if isinstance(value, Ref):
+        return dotted(type_of(machine, value)) == "array"
+    return not isinstance(value, Const) or value.value is None or is_char_text(value)
+
+
+def _owns(pattern: TypePattern, value: Pointer) -> bool:
+    """Whether a pointer is known to own what it leads to as a type says it does."""
+    last = pattern.names[-1] if pattern.names and not pattern.pointers else ""
+    return value.owner == {"shared_ptr": "shared", "unique_ptr": "unique"}.get(last, "") or last == "weak_ptr"
+
+
+def _shaped(machine: Engine, pattern: TypePattern, value: Value) -> int:
     """How a value fits `Box<T>`, of which T is not known: by its name."""
+    name = pattern.names[-1] if pattern.names else ""
     if isinstance(value, Unknown):
         return CONVERTED
-    if is_pointer:
-        return TEMPLATE if isinstance(value, Pointer) or value == Const(None) else NEVER
+    if is_pointer_pattern(pattern):
+        if isinstance(value, Pointer):
+            return TEMPLATE if _owns(pattern, value) else CONVERTED
+        return TEMPLATE if value == Const(None) else NEVER
     if isinstance(value, CALLABLES):
         return TEMPLATE if name == "function" else NEVER
     own = dotted(type_of(machine, value)).rpartition(".")[2]

@@ -36,6 +36,9 @@ def type_of_pattern(
         found = bindings[pattern.names[0]]
     elif pattern.names and depth < _DEPTH:
         found = _named(machine, env, pattern, bindings, depth)
+    elif pattern.builtin == "function" and depth < _DEPTH:
+        parts = (type_of_pattern(machine, env, each, bindings, depth + 1) for each in pattern.arguments)
+        found = TypeOf("function", tuple(parts))
     else:
         found = _CONSTANTS.get(pattern.builtin) or _number(pattern.builtin)
     for _ in range(pattern.pointers):

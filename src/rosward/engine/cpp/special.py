@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
     from rosward.ir.symbols import Signature, TypePattern
 
-__all__ = ["mentions", "most_special"]
+__all__ = ["is_of_functions", "mentions", "most_special"]
 
 _ARRAYS: Final = frozenset({"array", "pointer"})
 
@@ -43,6 +43,8 @@ def _may_take(machine: Engine, signature: Signature | None, values: Sequence[Val
         type_ = type_of(machine, value)
         if parameter.pack:
             return True
+        if dotted(type_) == "function" and is_of_functions(parameter.type):  # whether it fits, is known
+            continue
         if parameter.type.size:
             if not _is_array(value, type_):
                 return False
@@ -55,6 +57,11 @@ def _may_take(machine: Engine, signature: Signature | None, values: Sequence[Val
 
 def _is_array(value: Value, type_: Value) -> bool:
     return dotted(type_) in _ARRAYS or (isinstance(value, Const) and type_ == CHARACTERS)
+
+
+def is_of_functions(pattern: TypePattern) -> bool:
+    """Whether a type as it is written is one of functions: a pointer to them, or `std::function<…>`."""
+    return "function" in {pattern.builtin, *(each.builtin for each in pattern.arguments)}
 
 
 def _points(pattern: TypePattern) -> bool:

@@ -41,6 +41,7 @@ from rosward.engine.throwing import throw
 from rosward.ir import cpp, ops
 from rosward.ir.symbols import SymbolKind
 from rosward.models.cpp.iteration.elements import elements, parts
+from rosward.models.cpp.values.contents import has_content, within
 from rosward.models.cpp.values.copies import copied
 from rosward.models.cpp.values.slots import read
 
@@ -324,12 +325,12 @@ def _destructure(machine: Engine, op: cpp.Destructure, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     source = frame.registers[op.src]
     fields = access.fields_of(machine, source)
-    if fields is not None:
+    if fields is not None and not has_content(machine, read(machine, source)):
         found = [access.member(machine, frame, source, name, (), own=False) for name in fields[: len(op.dsts)]]
         found += [machine.unknown(Cause.OPERATION, "structured binding")] * (len(op.dsts) - len(found))
         values = found if op.slot else [read(machine, v) for v in found]
     else:
-        values = list(parts(machine, source, len(op.dsts), slots=op.slot))
+        values = list(parts(machine, within(machine, source), len(op.dsts), slots=op.slot))
     for register, value in zip(op.dsts, values, strict=True):
         frame.registers[register] = value
 

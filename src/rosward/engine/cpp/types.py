@@ -15,12 +15,13 @@ from rosward.domain.heap import Obj
 from rosward.domain.slots import Enumerated, Overloads, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import linked
 from rosward.ir.arithmetic import LONG, same_type
 from rosward.ir.symbols import TypePattern
 from rosward.models.cpp.values.characters import is_text
 from rosward.models.cpp.values.slots import read
-from rosward.models.cpp.values.types import argument, name_of
+from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 from rosward.models.interfaces import message_name
 
 if TYPE_CHECKING:
@@ -33,7 +34,9 @@ __all__ = [
     "dotted",
     "flat",
     "is_message",
+    "is_of_language",
     "is_pointer_pattern",
+    "is_type",
     "match",
     "plain_type",
     "pointee",
@@ -63,6 +66,7 @@ _OF_HINT: Final[dict[str, Value]] = {
     "str": STRING, "int": TypeOf("int", ()), "float": TypeOf("double", ()), "bool": TypeOf("bool", ()),
 }  # fmt: skip
 _DEPTH: Final = 20
+_WRITTEN: Final = frozenset({"array", "const", "function", "pointer", "reference", "rvalue", "volatile"})
 
 
 def pointer_to(type_: Value) -> TypeOf:
@@ -83,6 +87,23 @@ def pointer_member(name: str) -> bool:
 def is_message(type_: Value) -> bool:
     """Whether a type is a message, or the request of a service, and the like."""
     return isinstance(type_, External) and message_name(type_.name) is not None
+
+
+def is_type(machine: Engine, value: Value) -> bool:
+    """Whether a value of a library is a type that something can be made of."""
+    if isinstance(value, Class) or is_message(value):
+        return True
+    if not isinstance(value, (External, TypeOf)):
+        return False
+    if shape_of(value) is not Shape.OTHER or is_enumeration(machine, value):
+        return True
+    name = dotted(value)
+    return (isinstance(value, TypeOf) and is_of_language(value)) or machine.library.native(f"{name}.new") is not None
+
+
+def is_of_language(type_: TypeOf) -> bool:
+    """Whether a type is one of the language, not a template that nothing declares (`Box<A>`, which may be a function)."""
+    return "." not in type_.name and (not type_.arguments or type_.name in _WRITTEN)
 
 
 def dotted(type_: Value) -> str:

@@ -25,6 +25,7 @@ Lamp & on(lamps[0].on);                  Lamp & on=lamps[0].on ;
 int (&row)[3] = rows[0];                 int  &row      = rows[0];
 using Ts::operator()...;                 using Ts::operator()   ;
 o.operator()(1), p->A::operator=(a)      o.operato$LR(1), p->A::operato$E(a)
+return operator[](1);                    return operato$BK(1);
 using std::sin, std::cos;                using std::sin;using  std::cos;
 virtual void stop() const {};            virtual void stop() const {}
 Box(const char *) -> Box<std::string>;   nothing
@@ -129,6 +130,11 @@ _OPERATOR: Final = re.compile(
     r"operator(\s*)(\(\s*\)|\[\s*\]|->\*?|[-+*/%^&|~!=<>]{1,3}|(?<=\s)(?:bool|int|double|float))(?=\s*\(|(?<=\))\s*<)"
 )
 """An operator that is called by its name as a member."""
+_OWN_OPERATOR: Final = re.compile(
+    rf"{LITERAL}|((?:[;{{}}(!?+|=,]|(?<!:):(?!:)|\breturn\b)\s*)operator(\s*)"
+    r"(\(\s*\)|\[\s*\]|->\*?|[-+*/%^&|~!=<>]{1,3})(?=\s*\()"
+)
+"""One that is called alone, as the object around has it: a declaration has a type before it."""
 _USING_PACK: Final = re.compile(r"(\busing\s+\w+\s*::\s*operator\s*\(\s*\)\s*)(\.\.\.)")
 
 THROW: Final = "~~~~~"
@@ -194,7 +200,9 @@ def _members(text: str) -> str:
         text = _MEMBER_POINTER.sub(_plain_pointer, text)
     if "->*" in text or ".*" in text:
         text = _MEMBER_OPERATOR.sub(lambda found: MEMBER.get(found[0], found[0]), text)
-    return _OPERATOR.sub(_named_operator, text) if "operator" in text else text
+    if "operator" not in text:
+        return text
+    return _OWN_OPERATOR.sub(_named_operator, _OPERATOR.sub(_named_operator, text))
 
 
 def operator_meant(name: str) -> str:

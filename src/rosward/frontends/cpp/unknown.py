@@ -18,7 +18,7 @@ from rosward.frontends.cpp.tokens import behind_bracket, blank
 from rosward.records import NamedTuple
 
 _VISIBILITY: Final = re.compile(
-    r"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|EXPORTS|LOCAL|API|IMPORT|HIDDEN|PUBLIC_TYPE|NO_EXPORT|DEPRECATED|INLINE|NODISCARD)\b(?!\s*[(.,;=:)+\"<>|&*!?\-/%\]}])"
+    r"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|EXPORTS|LOCAL|API|IMPORT|HIDDEN|PUBLIC_TYPE|NO_EXPORT|DEPRECATED|INLINE|NODISCARD)\b(?!\s*(?:[(.,;=:)+\"<>|&*!?\-/%\]}]|\[(?!\[)))"
 )
 _CLASS: Final = re.compile(
     r"\b(?:class|struct|union)[ \t]+(?:\[\[[^\]\n]*\]\][ \t]*)?([A-Z][A-Z0-9_]{2,})(?=[ \t]+(?!final\b)[A-Za-z_])"

@@ -136,7 +136,8 @@ def _reset(call: NativeCall) -> Value:
         _deleted_by(call.machine, call.args[2], call.args[1])
     given = read(call.machine, call.args[1]) if len(call.args) > 1 else NONE
     held = {o.owner for o in options(read(call.machine, call.args[0])) if isinstance(o, Pointer)}
-    write(call.machine, call.args[0], owning(given, held.pop() if len(held) == 1 and len(call.args) < 3 else ""))
+    owner: Owner = held.pop() if len(held) == 1 else "" if held else "shared"  # no other pointer has this method
+    write(call.machine, call.args[0], owning(given, owner if len(call.args) < 3 else ""))
     return NONE
 
 
@@ -164,7 +165,7 @@ def _unique(call: NativeCall) -> Value:
 
 def _lock(call: NativeCall) -> Value:
     """weak.lock(): nobody follows when an object ends, so it may be gone."""
-    return join(read(call.machine, call.args[0]), NONE)
+    return join(owning(read(call.machine, call.args[0]), "shared"), NONE)
 
 
 def _expired(call: NativeCall) -> Value:

@@ -54,6 +54,9 @@ def _call(body: Body, node: Node, want: Want) -> int:
         if comparison is not None:
             return comparison
     if function.type in ("identifier", "qualified_identifier", "template_function"):
+        own = last_part(function)[0] if body.has_this and function.type == "identifier" else ""
+        if own == "operator=" or own in _ASSIGNING:
+            return _assigned_by_name(body, node, 0, NO_REGISTER, own[len("operator") :], listed, want)
         written = parts_of(function) if body.has_this and function.type == "qualified_identifier" else None
         if written is not None and written.parts[-1][0] == "operator=":  # `Base::operator=(o)`
             return _assigned_by_name(body, node, 0, _scope(body, function, written), "=", listed, want)

@@ -42,6 +42,7 @@ def name(body: Body, node: Node, want: Want) -> int:
         if variable is None and text == "__func__" and body.function:
             return body.constant(node, CharText(body.function))
         if variable is None:
+            text = operator_meant(text) if text.startswith(OPERATOR) else text
             return _looked_up(body, node, (Part(text),), NO_REGISTER, False, want)
         if not variable.path:
             return _held(body, node, variable, want)

@@ -23,6 +23,7 @@ from rosward.domain.values import EMPTY, FALSE, NONE, UNBOUND, Choice, Class, Co
 from rosward.ir.core import CharText
 from rosward.models.cpp.values.characters import as_string, character_of, text_in
 from rosward.models.cpp.values.chrono import as_duration, unit_of
+from rosward.models.cpp.values.contents import within
 from rosward.models.cpp.values.copies import copied, several
 from rosward.models.cpp.values.number_conversions import NUMBERS
 from rosward.models.cpp.values.ordering import unique
@@ -158,6 +159,8 @@ def convert(machine: Machine, value: Value, type_: Value, kind: str = "init", de
         return join_all(convert(machine, each, type_, kind, depth) for each in kept)
     if depth > _DEEPEST:
         return machine.unknown(Cause.LIMIT, "conversion", hint_of(type_))
+    if value.__class__ is Ref and shape is not Shape.CLASS:
+        value = read(machine, within(machine, value))
     number = NUMBERS.get(shape)
     if number is not None:
         return _unbraced(machine, value, type_, depth) if isinstance(value, Tuple) else number(machine, value, type_)

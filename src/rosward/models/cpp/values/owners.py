@@ -23,9 +23,9 @@ def owning(value: Value, owner: Owner) -> Value:
 
 
 def as_pointer(value: Value, type_: Value) -> Value:
-    """A pointer as one of a type: one that owned something alone may share it now."""
+    """A pointer as one of a type: one that owned something alone shares it now, as does one of which nobody knew whether it owns."""
     shared = name_of(type_).endswith(".shared_ptr") and value.__class__ in (Pointer, Choice)
-    return lift(lambda v: owning(v, "shared") if isinstance(v, Pointer) and v.owner else v, value) if shared else value
+    return owning(value, "shared") if shared else value
 
 
 def give_away(machine: Machine, ref: Ref) -> None:
