@@ -69,7 +69,7 @@ public:
   template<typename... ArgsT>
   [[rosward::holds, rosward::source("tf")]] geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
   {
-    rosward::may_throw();
+    tf2::detail::may_be_missing();
     return rosward::message<geometry_msgs::msg::TransformStamped>();
   }
   template<typename... ArgsT>
@@ -77,7 +77,7 @@ public:
   template<typename InT, typename... ArgsT>
   [[rosward::holds, rosward::source("tf")]] InT transform(const InT & in, const ArgsT & ... args) const
   {
-    rosward::may_throw();
+    tf2::detail::may_be_missing();
     return in;
   }
 };
