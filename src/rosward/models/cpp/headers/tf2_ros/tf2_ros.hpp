@@ -74,8 +74,16 @@ public:
   }
   template<typename... ArgsT>
   [[rosward::holds, rosward::source("tf")]] bool canTransform(const ArgsT & ... args) const {return rosward::unknown("live", "whether a transform is there", "bool");}
+  template<typename InT, typename OutT, typename... ArgsT>
+  [[rosward::holds, rosward::source("tf"), rosward::changes("out")]] OutT & transform(
+    const InT & in, OutT & out, const std::string & target_frame, const ArgsT & ... args) const
+  {
+    tf2::detail::may_be_missing();
+    return out;
+  }
   template<typename InT, typename... ArgsT>
-  [[rosward::holds, rosward::source("tf")]] InT transform(const InT & in, const ArgsT & ... args) const
+  [[rosward::holds, rosward::source("tf")]] InT transform(
+    const InT & in, const std::string & target_frame, const ArgsT & ... args) const
   {
     tf2::detail::may_be_missing();
     return in;
