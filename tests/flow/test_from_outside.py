@@ -253,6 +253,26 @@ def test_what_decides_that_a_goal_is_accepted_decides_what_is_done_for_it(
     assert decides <= said.control
 
 
+OTHER_SERVER: Final = SERVER.replace(
+    "        self.server = ",
+    "        self.free = self.create_publisher(Int32, '/free', 10)\n"
+    "        self.other = ActionServer(self, Fibonacci, '/other', self.run_other)\n"
+    "        self.server = ",
+).replace(
+    "    def run(self, goal):",
+    "    def run_other(self, goal):\n        self.free.publish(Int32(data=1))\n        return Fibonacci.Result()\n\n"
+    "    def run(self, goal):",
+)
+
+
+def test_what_decides_that_a_goal_is_accepted_decides_nothing_for_another_server(tmp_path: Path) -> None:
+    program = tmp_path / "robot.py"
+    program.write_text(OTHER_SERVER)
+    said = said_of(reported(program), "topic:/free")
+    assert said is not None
+    assert said.data | said.control == frozenset()
+
+
 CLIENT: Final = """
 import rclpy
 from example_interfaces.action import Fibonacci
@@ -326,8 +346,20 @@ def test_what_decides_that_a_parameter_is_set_decides_what_is_made_of_it(tmp_pat
     assert said.control == {"topic:/limit"}
 
 
+def test_another_parameter_decides_that_a_parameter_is_set(tmp_path: Path) -> None:
+    program = tmp_path / "robot.py"
+    declared = "declare_parameter('gain', 1.0)"
+    most = PARAMETER.replace("> self.limit:", "> self.get_parameter('most').value:")
+    program.write_text(most.replace(declared, f"{declared}\n        self.declare_parameter('most', 2.0)"))
+    said = said_of(reported(program), "topic:/out")
+    assert said is not None
+    assert said.data == {"parameter:gain"}
+    assert said.control == {"parameter:most"}
+
+
 CALLED: Final = """
 import rclpy
+import pyaudio
 import sounddevice
 from pynput import keyboard
 from rclpy.node import Node
@@ -350,7 +382,13 @@ rclpy.spin(Robot())
 
 
 @pytest.mark.parametrize(
-    "registers", ["sounddevice.InputStream(callback=self.on_it)", "keyboard.Listener(on_press=self.on_it)"]
+    "registers",
+    [
+        "sounddevice.InputStream(callback=self.on_it)",
+        "keyboard.Listener(on_press=self.on_it)",
+        "pyaudio.PyAudio().open(input=True, stream_callback=self.on_it)",
+        "sounddevice.RawStream(callback=self.on_it)",
+    ],
 )
 def test_what_a_function_of_a_library_calls_a_callback_with_comes_from_there(registers: str, tmp_path: Path) -> None:
     program = tmp_path / "robot.py"
@@ -358,3 +396,12 @@ def test_what_a_function_of_a_library_calls_a_callback_with_comes_from_there(reg
     said = said_of(reported(program), "topic:/out")
     assert said is not None
     assert "device" in said.data
+
+
+def test_only_what_is_asked_of_a_server_is_sent_to_it(tmp_path: Path) -> None:
+    """The address of a server goes nowhere before something is asked, and no answer is in what is asked."""
+    program = tmp_path / "robot.py"
+    asked = "redis.Redis(host=self.declare_parameter('host', 'x').value)\n        self.heard.get(os.environ['KEY'])"
+    program.write_text("import os\nimport redis\n" + CALLED.format(asked))
+    rows = [row for row in reported(program) if row.sink == "network"]
+    assert [sorted(row.data) for row in rows] == [["env", "parameter:host"]]

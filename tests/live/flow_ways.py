@@ -381,7 +381,7 @@ BLOCKS: Final = (
     "with {o} as {wo}:\n{b}",
     "with self.changed({n}) as {w}:\n{b}",
     "with contextlib.suppress(ValueError):\n    {w} = float({t})\n{b}",
-    "match {t}:\n    case 'go':\n        {b8}\n    case 'a' | 'b':\n        {b8}\n    case other:\n        self.text = other",
+    "match {t}:\n    case 'go':\n        {b8}\n    case 'a' | 'b':\n        {b8}\n    case said:\n        self.text = said",
     "match [{n}, {n}]:\n    case [{w}, 1.0]:\n        {b8}\n    case [_, {w}]:\n        {b8}",
     "def act():\n{f}\nact()",
     "def act():\n{f}\nself.hooks.append(act)",

@@ -78,6 +78,11 @@ class Const(Value):
     def __reduce__(self) -> Reduced:
         return Const, (self.value, self.origins)
 
+    @property
+    def is_settled(self) -> bool:
+        """Whether it is no mere default, in the place of which another value of its type may stand."""
+        return not self.origins or all(origin.settled for origin in self.origins)
+
     def __repr__(self) -> str:
         return f"Const({self.value!r})" if not self.origins else f"Const({self.value!r}, {set(self.origins)})"
 

@@ -186,8 +186,8 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     registered = walker.watch.entries.get(entry)
     for owner in _owners(entry, registered):
         pc |= demoted(walker.stopped.get(owner, 0))
-        if entry.event in ("execute", "accepted"):
-            pc |= walker.stopped.get(_accepts("goal", owner), 0)
+    if entry.event in ("execute", "accepted"):
+        pc |= walker.stopped.get(_accepts("goal", registered), 0)
     arguments = [_argument(walker, entry, n, sources) for n in range(len(entry.args or ()))]
     if entry.event in _ANSWERS:
         for argument in arguments:
@@ -231,13 +231,14 @@ def _judged(walker: Walker, entry: Scheduled, result: Mark) -> None:
     if entry.event == "parameters" and walker.node is not None:
         parameters.judged(walker, walker.node, demoted(walker.memory.deep(result)))
     elif entry.event in ("goal", "cancel"):
-        for owner in _owners(entry, walker.watch.entries.get(entry)):
-            library.stop(walker, _accepts(entry.event, owner), demoted(walker.memory.deep(result)))
+        root = _accepts(entry.event, walker.watch.entries.get(entry))
+        library.stop(walker, root, demoted(walker.memory.deep(result)))
 
 
-def _accepts(event: str, owner: Root) -> Root:
-    """Where it stands what decides that a server accepts a goal; of requests to cancel, servers are not told apart."""
-    return ("accepts", owner) if event == "goal" else CANCELLED
+def _accepts(event: str, registered: Registered | None) -> Root:
+    """Where it stands what decides that a server, the innermost that registers, accepts a goal; of requests to cancel, servers are not told apart."""
+    server = registered.receivers[:1] if registered is not None else ()
+    return ("accepts", *server) if event == "goal" else CANCELLED
 
 
 def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Source, ...]) -> Mark:

@@ -142,7 +142,7 @@ def _if(scene: Scene, substitution: Substitution) -> Value:
     condition = _truth(scene, substitution.arguments[0], substitution.place)
     found: list[Value] = []
     for option in options(condition):
-        known = isinstance(option, Const) and all(o.settled for o in option.origins)
+        known = isinstance(option, Const) and option.is_settled
         for index in (1, 2):
             if not known or (isinstance(option, Const) and bool(option.value) is (index == 1)):
                 branch = substitution.arguments[index] if index < len(substitution.arguments) else ()

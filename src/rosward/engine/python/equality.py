@@ -203,7 +203,7 @@ def _same(machine: Engine, left: Value, right: Value) -> bool | None:
         )
         return False if external.__class__ is External and apart else None
     if left.__class__ is Const and right.__class__ is Const:
-        if not (_settled(left) and _settled(right)):
+        if not (left.is_settled and right.is_settled):
             return None
         if left.value.__class__ is not right.value.__class__:
             return False
@@ -254,7 +254,7 @@ def _says_truth(machine: Engine, value: Value) -> Value | None:
 def truth(machine: Engine, value: Value) -> bool | None:
     """The truth of a value; None where both are possible."""
     if value.__class__ is Const:
-        return bool(value.value) if _settled(value) else None
+        return bool(value.value) if value.is_settled else None
     if value.__class__ in _CALLABLE:
         if value.__class__ in (
             Function,
@@ -291,10 +291,6 @@ def truth(machine: Engine, value: Value) -> bool | None:
     return operators.truth(machine, value)
 
 
-def _settled(value: Const) -> bool:
-    return all(o.settled for o in value.origins)
-
-
 def has_unknown_base(cls: Class) -> bool:
     """Whether a class inherits from something that is neither among the sources nor modelled."""
     return any(base.__class__ in (External, Unknown) for base in cls.mro)
@@ -329,7 +325,7 @@ def _may(machine: Engine, value: Value, test: str, other: Value | None, sense: b
 
 
 def _equal_constants(left: Const, right: Const) -> bool | None:
-    if not (_settled(left) and _settled(right)):
+    if not (left.is_settled and right.is_settled):
         return None
     return bool(left.value == right.value) and (left.value is not None or right.value is None)
 

@@ -80,6 +80,7 @@ _WITH_EXCEPTIONS: Final = frozenset(
     }
 )
 """Modules with exceptions of their own, of which functions are known that no stub declares."""
+_DIVIDING: Final = frozenset({"/", "//", "%"})
 _EVALUATED: Final = frozenset({"", "builtins", "str", "int", "float", "bytes", "list", "dict", "set", "tuple"})
 _SAFE_TYPES: Final = frozenset({"str", "list", "dict", "set", "tuple", "object", "BaseException", "BaseExceptionGroup"})
 _UNSAFE_METHODS: Final = frozenset({"pop", "popitem", "remove", "index", "format", "format_map", "encode", "update"})
@@ -187,9 +188,9 @@ def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool:
 
 def _load_item(machine: Engine, op: ops.LoadItem, frame: Frame) -> bool:
     value, index = frame.registers[op.obj], frame.registers[op.index]
-    if index.__class__ is not Const:
+    if index.__class__ is not Const or not index.is_settled:
         return True
-    if value.__class__ in (Tuple, Class) or (value.__class__ is Const and isinstance(value.value, str)):
+    if value.__class__ in (Tuple, Class) or (value.__class__ is Const and value.is_settled and _is_text(value)):
         return False  # where it fails, the operation says so
     if value.__class__ is not Ref:
         return True
@@ -217,7 +218,14 @@ def _plain(*values: Value) -> bool:
 
 
 def _binary(_machine: Engine, op: ops.Binary, frame: Frame) -> bool:
-    return not _plain(frame.registers[op.left], frame.registers[op.right])
+    left, right = frame.registers[op.left], frame.registers[op.right]
+    if op.operator in _DIVIDING and right.__class__ is Const and not right.is_settled and not _is_text(left):
+        return True  # it may be zero
+    return not _plain(left, right)
+
+
+def _is_text(value: Value) -> bool:
+    return value.__class__ is Text or (value.__class__ is Const and isinstance(value.value, str))
 
 
 def _unary(_machine: Engine, op: ops.Unary, frame: Frame) -> bool:
@@ -244,7 +252,11 @@ def _unpack(machine: Engine, op: ops.Unpack, frame: Frame) -> bool:
     value = frame.registers[op.src]
     if value.__class__ is Ref and machine.obj(value).kind == "list":
         items = machine.obj(value).items
-        return items is None or len(items) != len(op.dsts) or op.star != ops.NO_REGISTER
+        if items is None or len(items) != len(op.dsts) or op.star != ops.NO_REGISTER:
+            return True
+        return not all(
+            i.is_settled for i in items if i.__class__ is Const
+        )  # a text that is split elsewhere has other parts
     return not (value.__class__ is Tuple and len(value.items) == len(op.dsts) and op.star == ops.NO_REGISTER)
 
 
@@ -299,10 +311,12 @@ def _callee(machine: Engine, function: Value, arguments: list[Value]) -> bool:
 
 
 def _is_known(machine: Engine, value: Value) -> bool:
-    """Whether all that a builtin asks of a value is known."""
+    """Whether all that a builtin asks of a value is known: of a number that it is one, of text each letter."""
     if value.__class__ is Tuple:
         return all(_is_known(machine, v) for v in value.items)
-    return _is_exact(machine, value) if value.__class__ is Ref else value.__class__ is Const
+    if value.__class__ is Const:
+        return not isinstance(value.value, str) or value.is_settled
+    return value.__class__ is Ref and _is_exact(machine, value)
 
 
 def _is_exact(machine: Engine, value: Value) -> bool:

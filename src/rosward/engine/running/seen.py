@@ -274,7 +274,7 @@ class Seen:
             keys = self.keys = {}
         known = keys.get(register, value)
         if known is not None:
-            settled = value.__class__ is Const and (not value.origins or all(o.settled for o in value.origins))
+            settled = value.__class__ is Const and value.is_settled
             keys[register] = value if settled and known == value else None
 
     def constant(self, register: int) -> object:

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from rosward.domain.values import Const
-from rosward.effects.flows import Sink
+from rosward.effects.flows import Sink, Source
 from rosward.flow.marks import Mark, Root, demoted
 
 if TYPE_CHECKING:
@@ -48,10 +48,11 @@ def kept(walker: Walker, nodes: Iterable[Root], name: object) -> int:
 
 
 def judged(walker: Walker, node: Root, mask: int) -> None:
-    """A callback says whether parameters of a node are set: what decides that, but for other ones that are set along, decides their values."""
+    """A callback says whether parameters of a node are set: what decides that, but for those that it is told of, decides their values."""
+    told = Source("parameter", "*")
     decides = 0
     for source in walker.sources.apart(mask)[1]:
-        decides |= walker.sources.data(source) if source.kind != "parameter" else 0
+        decides |= walker.sources.data(source) if source != told else 0
     if decides:
         keep(walker, (node,), None, Mark(), demoted(decides))
 

@@ -21,7 +21,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.iteration.elements import series_of
-from rosward.models.cpp.iteration.exceptions import may_raise, raises
+from rosward.models.cpp.iteration.exceptions import is_settled, may_raise, raises
 from rosward.models.cpp.values.characters import text_behind
 from rosward.models.cpp.values.conversions import convert
 from rosward.models.cpp.values.copies import copied, write
@@ -90,11 +90,14 @@ def _stoi(call: NativeCall) -> Value:
 
     def one(value: Value) -> Value:
         text = text_of(value)
-        if text is None or base not in _BASES:
+        number = None if text is None or base not in _BASES else _parsed(text, whole=whole, base=base)
+        settled = text is not None and base in _BASES and is_settled(value)
+        if not settled:
             may_raise(machine, "invalid_argument", name)
+            may_raise(machine, "out_of_range", name)
+        if number is None and not settled:
             _tell_end(call, unknown_from(machine, name, "int", value))
             return unknown_from(machine, name, "int" if whole else "float", value)
-        number = _parsed(text, whole=whole, base=base)
         if number is None:
             return raises(machine, "invalid_argument", name)
         if whole and not -_LIMITS[name] <= number.value < _LIMITS[name]:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """redis-py: each command goes to a server, and its answer comes from there."""
 
-from _rosward import sink, source
+from _rosward import pure, sink, source
 
 @source("network")
 class PubSub:
@@ -13,6 +13,16 @@ class PubSub:
 @sink("network")
 @source("network")
 class Redis:
+    @pure
+    def __init__(self, *args, **kwargs): ...
+    @pure
+    def from_url(self, url, **kwargs) -> Redis: ...
+    @pure
     def pubsub(self, **kwargs) -> PubSub: ...
+    @pure
+    def close(self): ...
 
 StrictRedis = Redis
+
+@pure
+def from_url(url, **kwargs) -> Redis: ...

@@ -16,6 +16,16 @@ class Client:
     @source("network")
     def event(self, *args, **kwargs): ...
 
+class SimpleClient:
+    @sink("network")
+    def emit(self, event, data=None): ...
+    @sink("network")
+    @source("network")
+    def call(self, event, data=None, timeout=60): ...
+    @source("network")
+    def receive(self, timeout=None): ...
+
+AsyncSimpleClient = SimpleClient
 AsyncClient = Client
 Server = Client
 AsyncServer = Client

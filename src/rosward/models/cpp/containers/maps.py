@@ -18,7 +18,7 @@ from rosward.domain.values import NONE, UNBOUND, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.iteration.contained import element_from, made_of, nothing, receivers, swap
 from rosward.models.cpp.iteration.elements import between, series_of
-from rosward.models.cpp.iteration.exceptions import may_raise, raises
+from rosward.models.cpp.iteration.exceptions import is_settled, may_raise, raises
 from rosward.models.cpp.iteration.iterators import as_iterator, entry, keys_in_order, leading_into, moved
 from rosward.models.cpp.values.conversions import convert, default_value, new_map
 from rosward.models.cpp.values.copies import copied
@@ -79,10 +79,13 @@ def _at(call: NativeCall) -> Value:
     for ref in _maps(call):
         key = _key(machine, ref, call.args[1])
         present = dicts.look_up(machine, machine.obj(ref), key)
-        if present.missing:
+        settled = is_settled(key)
+        if present.missing and settled:
             found.append(raises(machine, "out_of_range", "map::at"))
             continue
-        if present.missing is None:
+        if present.missing:
+            key = unknown_from(machine, "at", "", key)
+        if present.missing is not False or not settled:
             may_raise(machine, "out_of_range", "map::at")
         found.append(_place(machine, ref, key))
     return join_all(found) if found else _lost(call)

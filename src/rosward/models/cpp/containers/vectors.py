@@ -34,7 +34,7 @@ from rosward.models.cpp.iteration.contained import (
     swap,
     texts_given,
 )
-from rosward.models.cpp.iteration.exceptions import may_raise, raises
+from rosward.models.cpp.iteration.exceptions import is_settled, may_raise, raises
 from rosward.models.cpp.iteration.iterators import as_iterator, iterator, leading_into
 from rosward.models.cpp.iteration.iterators import begin as begin_of
 from rosward.models.cpp.iteration.iterators import end as end_of
@@ -200,14 +200,16 @@ def _fill(call: NativeCall) -> Value:
 def _at(call: NativeCall) -> Value:
     machine, found = call.machine, []
     index = read(machine, call.args[1])
+    settled = is_settled(index)
     for ref in receivers(call):
         series, number = machine.obj(ref).series(), int_of(index)
-        if series.exact and number is not None and not 0 <= number < len(series.head):
+        beyond = series.exact and number is not None and not 0 <= number < len(series.head)
+        if beyond and settled:
             found.append(raises(machine, "out_of_range", "vector::_M_range_check"))
             continue
-        if number is None or number >= series.least:
+        if number is None or number >= series.least or not settled:
             may_raise(machine, "out_of_range", "vector::_M_range_check")
-        found.append(place_of(machine, ref, index))
+        found.append(place_of(machine, ref, unknown_from(machine, "at", "int", index) if beyond else index))
     return join_all(found) if found else lost(call)
 
 

@@ -13,9 +13,9 @@ from rosward.domain.compound import External
 from rosward.domain.values import UNBOUND, Const, Value
 from rosward.models.cpp.values.slots import read
 from rosward.models.native import Machine, NativeCall, NativeFunction
-from rosward.models.python.plain import unknown_from
+from rosward.models.python.plain import origins, unknown_from
 
-__all__ = ["NATIVES", "may_raise", "raises"]
+__all__ = ["NATIVES", "is_settled", "may_raise", "raises"]
 
 
 def raises(machine: Machine, name: str, message: str) -> Value:
@@ -30,6 +30,11 @@ def _what(call: NativeCall) -> Value:
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {"std.exception.what": _what}
+
+
+def is_settled(*values: Value) -> bool:
+    """Whether none is a mere default: what fails for that may go well for another value, and the other way round."""
+    return all(origin.settled for origin in origins(*values))
 
 
 def may_raise(machine: Machine, name: str, message: str) -> None:

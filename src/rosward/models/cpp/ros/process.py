@@ -21,7 +21,6 @@ from rosward.models.cpp.ros.handed import NOTHING, given, target_of
 from rosward.models.cpp.values.slots import read
 from rosward.models.launch import natives as launch
 from rosward.models.native import Machine, NativeCall, NativeFunction
-from rosward.models.python.plain import EXCEPTION_HINT
 from rosward.models.ros import effects
 from rosward.models.ros.given_words import keep_line
 
@@ -145,9 +144,9 @@ def _throw(call: NativeCall) -> Value:
 
 
 def _may_throw(call: NativeCall) -> Value:
-    """`may_throw()`: a library may throw one of its exceptions here, which only who catches it is told."""
+    """`may_throw(exception, …)`: a library may throw one of these here, which only who catches it is told."""
     if call.machine.is_tried:
-        call.machine.throw(call.machine.unknown(Cause.LIVE, "exception", EXCEPTION_HINT))
+        call.machine.throw(join_all(given(call, number) for number in range(len(call.args))))
     return NONE
 
 

@@ -3,6 +3,9 @@
 
 from _rosward import sink, source
 
+@source("device")
+def get_count(): ...
+
 class Joystick:
     @source("device")
     def get_axis(self, axis_number, /): ...

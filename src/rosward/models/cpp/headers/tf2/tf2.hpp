@@ -10,13 +10,45 @@ class TransformException : public std::runtime_error
 public:
   TransformException(const std::string & description = "") : std::runtime_error(description) {}
 };
-class ConnectivityException : public TransformException {};
-class LookupException : public TransformException {};
-class ExtrapolationException : public TransformException {};
-class InvalidArgumentException : public TransformException {};
-class TimeoutException : public TransformException {};
+class ConnectivityException : public TransformException
+{
+public:
+  using TransformException::TransformException;
+};
+class LookupException : public TransformException
+{
+public:
+  using TransformException::TransformException;
+};
+class ExtrapolationException : public TransformException
+{
+public:
+  using TransformException::TransformException;
+};
+class InvalidArgumentException : public TransformException
+{
+public:
+  using TransformException::TransformException;
+};
+class TimeoutException : public TransformException
+{
+public:
+  using TransformException::TransformException;
+};
 class NoDataForExtrapolationException : public LookupException {};
 class TransformerException : public TransformException {};
+
+namespace detail
+{
+// What is asked for may not be there: which exception says so, depends on what came.
+inline void may_be_missing()
+{
+  const std::string why = rosward::unknown("live", "why a transform is not there", "std::string");
+  rosward::may_throw(
+    LookupException(why), ConnectivityException(why), ExtrapolationException(why), InvalidArgumentException(why), TimeoutException(why),
+    TransformException(why));
+}
+}  // namespace detail
 
 class BufferCore
 {
@@ -27,7 +59,7 @@ public:
   template<typename... ArgsT>
   [[rosward::holds, rosward::source("tf")]] geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
   {
-    rosward::may_throw();
+    detail::may_be_missing();
     return rosward::message<geometry_msgs::msg::TransformStamped>();
   }
   template<typename... ArgsT>

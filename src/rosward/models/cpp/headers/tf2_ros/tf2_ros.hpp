@@ -69,15 +69,23 @@ public:
   template<typename... ArgsT>
   [[rosward::holds, rosward::source("tf")]] geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
   {
-    rosward::may_throw();
+    tf2::detail::may_be_missing();
     return rosward::message<geometry_msgs::msg::TransformStamped>();
   }
   template<typename... ArgsT>
   [[rosward::holds, rosward::source("tf")]] bool canTransform(const ArgsT & ... args) const {return rosward::unknown("live", "whether a transform is there", "bool");}
-  template<typename InT, typename... ArgsT>
-  [[rosward::holds, rosward::source("tf")]] InT transform(const InT & in, const ArgsT & ... args) const
+  template<typename InT, typename OutT, typename... ArgsT>
+  [[rosward::holds, rosward::source("tf"), rosward::changes("out")]] OutT & transform(
+    const InT & in, OutT & out, const std::string & target_frame, const ArgsT & ... args) const
   {
-    rosward::may_throw();
+    tf2::detail::may_be_missing();
+    return out;
+  }
+  template<typename InT, typename... ArgsT>
+  [[rosward::holds, rosward::source("tf")]] InT transform(
+    const InT & in, const std::string & target_frame, const ArgsT & ... args) const
+  {
+    tf2::detail::may_be_missing();
     return in;
   }
 };
