@@ -4,11 +4,13 @@
 for t in topics: listen(t)                    each has its turn, whichever is first
 for t in topics: if ready(t): break           which are left out depends on the order
 for t in topics: listen(f'{t}_{i}'); i += 1   what one turn leaves to the next depends on it
+for t in topics: listen(t); i += 1            so does this, but nothing that it does
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
 from rosward.ir import ops
 from rosward.ir.op import Block, Op, walk
@@ -16,6 +18,12 @@ from rosward.ir.registers import reads, writes
 
 _Place = tuple[str, int | str]
 """What an operation reads or writes: a register, a cell, a variable, or the attribute of that name of some object."""
+
+
+_QUIET: Final = (
+    ops.Assume, ops.Binary, ops.Build, ops.Compare, ops.Const, ops.Format, ops.If, ops.LoadItem, ops.Move, ops.Unary, ops.Unpack,
+)  # fmt: skip
+"""Operations that do no more than to write registers, in words of the program."""
 
 
 def tells_order(op: ops.ForEach) -> bool:
@@ -35,9 +43,34 @@ def _may_leave(block: Block, *, nested: bool) -> bool:
 
 
 def _hands_on(op: ops.ForEach) -> bool:
-    """Whether a turn reads what it writes before it has written it. What it does to an object that it only calls is not seen."""
+    """Whether a turn reads what it writes before it has written it, and does something with it.
+
+    What it does to an object that it only calls is not seen.
+    """
     changed = {place for inner in walk(op.body) for place in _written(inner)}
-    return bool(changed) and not changed.isdisjoint(_asked(op.body, {("register", op.item)}))
+    handed = changed.intersection(_asked(op.body, {("register", op.item)})) if changed else changed
+    return any(kind != "register" for kind, _ in handed) or _reaches(op.body, set(handed))
+
+
+def _reaches(block: Block, reached: set[_Place]) -> bool:
+    """Whether something depends on what variables of the function hold, other than such variables; `reached`, before the block and behind it."""
+    for op in block:
+        depends = not reached.isdisjoint(_read(op))
+        if depends and not all(isinstance(inner, _QUIET) for inner in walk([op])):
+            return True
+        if depends:
+            reached.update(place for inner in walk([op]) for place in _written(inner))
+            continue
+        reached.difference_update(_written(op))
+        for way in _ways(op) * (2 if isinstance(op, (ops.ForEach, ops.While)) else 1):
+            inside = set(reached)
+            for each in way:
+                if _reaches(each, inside):
+                    return True
+                if isinstance(op, ops.While) and each is op.condition and ("register", op.test) in inside:
+                    return True
+            reached |= inside
+    return False
 
 
 def _asked(block: Block, known: set[_Place]) -> Iterator[_Place]:
@@ -45,14 +78,27 @@ def _asked(block: Block, known: set[_Place]) -> Iterator[_Place]:
     for op in block:
         yield from (place for place in _read(op) if place not in known)
         known.update(_written(op))
-        blocks: tuple[Block, ...] = getattr(op, "blocks", ())
-        if blocks:
-            ends = []
-            for each in blocks:
-                inner = set(known)
+        ends = []
+        for way in _ways(op):
+            inner = set(known)
+            for each in way:
                 yield from _asked(each, inner)
+            if not any(each and each[-1].__class__ in _JUMPS for each in way):
                 ends.append(inner)
-            known |= set.intersection(*ends) if isinstance(op, ops.If) else ends[0]
+        if ends:
+            known |= set.intersection(*ends)
+
+
+def _ways(op: Op) -> tuple[tuple[Block, ...], ...]:
+    """The ways through the blocks of an operation: those of one way run one after the other."""
+    if isinstance(op, ops.Try):
+        return ((op.body, op.orelse, op.final), *((h.match, h.body, op.final) for h in op.handlers))
+    if isinstance(op, ops.While):
+        return ((op.condition, op.body), (op.condition, op.orelse))
+    return tuple((each,) for each in getattr(op, "blocks", ()))
+
+
+_JUMPS: Final = (ops.Return, ops.Raise, ops.Break, ops.Continue)
 
 
 def _read(op: Op) -> Iterator[_Place]:
