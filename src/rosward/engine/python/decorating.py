@@ -43,11 +43,12 @@ def hand(machine: Engine, callee: Value, args: tuple[Value, ...], keywords: dict
         return None
     if isinstance(callee, External) and _asks(callee.name):
         return None
-    if _stands_above(machine, behind) and _is_method(behind):
+    decorates = _stands_above(machine, behind)
+    if decorates and _is_method(behind):
         machine.trace.handed.setdefault(behind, machine.place)
     else:
         escape(machine, args, name_of(callee), callee)
-    assignment.open_up(machine, behind)
+    assignment.open_up(machine, behind, replaced=decorates)
     return _made_of(machine, callee, given, behind)
 
 

@@ -26,7 +26,7 @@ from rosward.domain.values import (
 )
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import attributes, members, specials
-from rosward.engine.python.assignment import opened_up
+from rosward.engine.python.assignment import is_replaced
 from rosward.engine.python.specials import one_has, special
 from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
 from rosward.models.python.comparing.equal_objects import compares
@@ -260,7 +260,7 @@ def truth(machine: Engine, value: Value) -> bool | None:
             Function,
             BoundMethod,
         ):  # a decorator that is not known may have made something else of it
-            return None if opened_up(machine, value) else True
+            return None if is_replaced(machine, value) else True
         method = _says_truth(machine, value) if value.__class__ is Class else None
         return True if method is None else truth(machine, machine.call(method, ()))
     if value.__class__ is Choice:
