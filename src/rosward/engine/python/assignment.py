@@ -39,12 +39,18 @@ _REPLACED: Final = "()"
 
 
 def open_up(machine: Engine, value: Value, *, replaced: bool) -> None:
-    """A library that is not read may have given a function attributes; `replaced`: or, as a decorator, something else in its place."""
+    """A library that is not read may have given a function attributes; `replaced`: a decorator may have put something else in its place.
+
+    To a class, decorators add.
+    """
     if isinstance(value, Function):
         address = machine.library.function_address(value)
         record = machine.own(address) or Obj("instance", NONE)
         partial = marked(record.partial, ANY_ATTRIBUTE)
         machine.put(address, record.replace(partial=marked(partial, _REPLACED) if replaced else partial))
+    elif isinstance(value, Class) and replaced:
+        record = machine.at(value.address)
+        machine.put(value.address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
 
 
 def is_replaced(machine: Engine, function: Value) -> bool:

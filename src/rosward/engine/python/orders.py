@@ -4,7 +4,7 @@
 for t in topics: listen(t)                    each has its turn, whichever is first
 for t in topics: if ready(t): break           which are left out depends on the order
 for t in topics: listen(f'{t}_{i}'); i += 1   what one turn leaves to the next depends on it
-for t in topics: listen(t); i += 1            so does this, but nothing that it does
+for t in topics: listen(t); i += 1             what depends on it is nothing but a counter
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ _Place = tuple[str, int | str]
 """What an operation reads or writes: a register, a cell, a variable, or the attribute of that name of some object."""
 
 
-_QUIET: Final = (
-    ops.Assume, ops.Binary, ops.Build, ops.Compare, ops.Const, ops.Format, ops.If, ops.LoadItem, ops.Move, ops.Unary, ops.Unpack,
+_PURE: Final = (
+    ops.Assume, ops.Binary, ops.Build, ops.Compare, ops.Const, ops.Format, ops.LoadItem, ops.Move, ops.Unary, ops.Unpack,
 )  # fmt: skip
-"""Operations that do no more than to write registers, in words of the program."""
+"""Operations that make something of what registers hold, and of nothing else."""
 
 
 def tells_order(op: ops.ForEach) -> bool:
@@ -43,33 +43,46 @@ def _may_leave(block: Block, *, nested: bool) -> bool:
 
 
 def _hands_on(op: ops.ForEach) -> bool:
-    """Whether a turn reads what it writes before it has written it, and does something with it.
+    """Whether a turn reads what it writes before it has written it, and does something with it, or with its element to it.
 
     What it does to an object that it only calls is not seen.
     """
+    item: _Place = ("register", op.item)
     changed = {place for inner in walk(op.body) for place in _written(inner)}
-    handed = changed.intersection(_asked(op.body, {("register", op.item)})) if changed else changed
-    return any(kind != "register" for kind, _ in handed) or _reaches(op.body, set(handed))
+    handed = changed.intersection(_asked(op.body, {item})) if changed else changed
+    return any(kind != "register" for kind, _ in handed) or _mixes(op.body, handed, set(handed), {item})
 
 
-def _reaches(block: Block, reached: set[_Place]) -> bool:
-    """Whether something depends on what variables of the function hold, other than such variables; `reached`, before the block and behind it."""
+def _mixes(block: Block, handed: set[_Place], counted: set[_Place], varying: set[_Place]) -> bool:
+    """Whether more than variables of the function depends on what is handed on to them, or they on more than the number of the turn.
+
+    `counted`: what depends on that number alone, `varying`: what may be another for each element; both before the block, then behind it.
+    """
     for op in block:
-        depends = not reached.isdisjoint(_read(op))
-        if depends and not all(isinstance(inner, _QUIET) for inner in walk([op])):
-            return True
-        if depends:
-            reached.update(place for inner in walk([op]) for place in _written(inner))
+        inside = list(walk([op]))
+        asked, written = {p for each in inside for p in _read(each)}, {p for each in inside for p in _written(each)}
+        depends = not counted.isdisjoint(asked)
+        if isinstance(op, ops.If) and ("register", op.test) not in varying:
+            if ("register", op.test) in counted and not all(isinstance(each, _PURE) for each in inside[1:]):
+                return True
+            before = set(counted), set(varying)
+            for way in (op.then, op.orelse):
+                ends = set(before[0]), set(before[1])
+                if _mixes(way, handed, *ends):
+                    return True
+                counted |= ends[0]
+                varying |= ends[1]
+            if ("register", op.test) in counted:
+                counted |= written
             continue
-        reached.difference_update(_written(op))
-        for way in _ways(op) * (2 if isinstance(op, (ops.ForEach, ops.While)) else 1):
-            inside = set(reached)
-            for each in way:
-                if _reaches(each, inside):
-                    return True
-                if isinstance(op, ops.While) and each is op.condition and ("register", op.test) in inside:
-                    return True
-            reached |= inside
+        varies = not isinstance(op, _PURE) or not varying.isdisjoint(asked)
+        if varies and (depends or not handed.isdisjoint(written)):
+            return True
+        for places, holds in ((counted, depends), (varying, varies)):
+            if holds:
+                places.update(written)
+            else:
+                places.difference_update(written - handed)
     return False
 
 
