@@ -258,10 +258,7 @@ def truth(machine: Engine, value: Value) -> bool | None:
     if value.__class__ is Const:
         return bool(value.value) if _settled(value) else None
     if value.__class__ in _CALLABLE:
-        if value.__class__ in (
-            Function,
-            BoundMethod,
-        ):  # a decorator that is not known may have made something else of it
+        if value.__class__ in (Function, BoundMethod):
             return None if is_replaced(machine, value) else True
         method = _says_truth(machine, value) if value.__class__ is Class else None
         return True if method is None else truth(machine, machine.call(method, ()))
