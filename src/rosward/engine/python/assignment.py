@@ -34,20 +34,30 @@ _OF_A_FUNCTION: Final = frozenset({"__code__", "__defaults__", "__kwdefaults__"}
 """What decides what a call runs, and is not followed where the program sets it."""
 
 
-def open_up(machine: Engine, value: Value) -> None:
-    """A library that is not read may have given a function attributes."""
+_REPLACED: Final = "()"
+"""What is partial of a function in whose place a decorator that is not read may have put something else."""
+
+
+def open_up(machine: Engine, value: Value, *, replaced: bool) -> None:
+    """A library that is not read may have given a function attributes; `replaced`: a decorator may have put something else in its place.
+
+    To a class, decorators add.
+    """
     if isinstance(value, Function):
         address = machine.library.function_address(value)
         record = machine.own(address) or Obj("instance", NONE)
-        if ANY_ATTRIBUTE not in record.partial:
-            machine.put(address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
+        partial = marked(record.partial, ANY_ATTRIBUTE)
+        machine.put(address, record.replace(partial=marked(partial, _REPLACED) if replaced else partial))
+    elif isinstance(value, Class) and replaced:
+        record = machine.at(value.address)
+        machine.put(value.address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
 
 
-def opened_up(machine: Engine, function: Value) -> bool:
-    """Whether a library that is not read was given a function, as by a decorator: it may call it with other arguments than its caller gives."""
+def is_replaced(machine: Engine, function: Value) -> bool:
+    """Whether a decorator that is not read may have made something else of a function: what calls it with other arguments, or is not true."""
     behind = function_behind(function)
     record = machine.own(machine.library.function_address(behind)) if isinstance(behind, Function) else None
-    return record is not None and ANY_ATTRIBUTE in record.partial
+    return record is not None and _REPLACED in record.partial
 
 
 def store(machine: Engine, target: Value, name: str, value: Value) -> bool:

@@ -26,7 +26,7 @@ from rosward.engine.python.namespaces import table_of
 from rosward.models import message_fields
 from rosward.models.interfaces import INTERFACE_NAMES, interface_name
 from rosward.models.python.attribute_tables import TABLE, own_attribute
-from rosward.models.python.builtins.attributes import may_hide
+from rosward.models.python.builtins.attributes import is_open, may_hide
 from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
 from rosward.models.python.std.annotations import of_class as annotated
 from rosward.models.readers import decisive
@@ -242,6 +242,8 @@ def _missing(machine: Engine, ref: Ref, cls: Value, name: str) -> Value:
         return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
     if name.startswith("__") and hasattr(object, name):
         return BoundMethod(ref, Native(f"object.{name}"))
+    if is_open(machine, cls):
+        return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
     return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
 
 
@@ -281,7 +283,7 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
         return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
     if name.startswith("__") and name != "__doc__" and name in vars(object):
         return Native(f"object.{name}")
-    if hasattr(type, name):
+    if hasattr(type, name) or is_open(machine, cls):
         return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
     return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
 

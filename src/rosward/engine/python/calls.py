@@ -322,7 +322,8 @@ def _missing_argument(machine: Engine, function: Function, error: BadCallError) 
 
     What follows then is followed all the same: when the call is mended it is what runs.
     """
-    if assignment.opened_up(machine, function):
+    note(machine)
+    if assignment.is_replaced(machine, function):
         return machine.unknown(Cause.CALL, f"decorator of {function.code.qualname}")
     exact = not declared.is_model(function) or function.module.name.startswith(machine.library.facts.exact)
     message = (
@@ -332,7 +333,6 @@ def _missing_argument(machine: Engine, function: Function, error: BadCallError) 
         machine.refused.append(message)
     elif exact:
         machine.report("RW209", message)
-    note(machine)
     return machine.unknown(Cause.ERROR, str(error))
 
 

@@ -43,11 +43,12 @@ def hand(machine: Engine, callee: Value, args: tuple[Value, ...], keywords: dict
         return None
     if isinstance(callee, External) and _asks(callee.name):
         return None
-    if _stands_above(machine, behind) and _is_method(behind):
+    decorates = _stands_above(machine, behind)
+    if decorates and _is_method(behind):
         machine.trace.handed.setdefault(behind, machine.place)
     else:
         escape(machine, args, name_of(callee), callee)
-    assignment.open_up(machine, behind)
+    assignment.open_up(machine, behind, replaced=decorates)
     return _made_of(machine, callee, given, behind)
 
 
@@ -76,15 +77,20 @@ def _is_method(behind: Function | Class) -> bool:
     return around != "" and not around.endswith("<locals>")
 
 
+def _is_property(callee: Value, given: Value) -> bool:
+    """Whether a decorator makes a property of a method, by its name: of one that needs its object alone."""
+    if not isinstance(given, Function) or not _is_method(given) or len(given.code.parameters.names) != 1:
+        return False
+    return "property" in name_of(callee).rpartition(".")[2].lower()
+
+
 def _made_of(machine: Engine, callee: Value, given: Value, behind: Function | Class) -> Value:
     """What such a call gives: a decorator what it was given, another one that or something else, or an object of the class."""
     if _stands_above(machine, behind):
-        is_property = isinstance(given, Function) and _is_method(behind) and "property" in name_of(callee).lower()
-        return Descriptor("property", given, None, None) if is_property else given
+        return Descriptor("property", given, None, None) if _is_property(callee, given) else given
     made = machine.unknown(Cause.CALL, name_of(callee))
-    if isinstance(
-        given, Function
-    ):  # `Depends(get_node)` may keep it only, and a lambda is what something else is set to
+    if isinstance(given, Function):
+        # `Depends(get_node)` may keep it only, and a lambda is what something else is set to
         return made if given.code.name == _LAMBDA else join(given, made)
     if not isinstance(given, Class):
         return given

@@ -26,9 +26,10 @@ from rosward.domain.values import (
 )
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import attributes, members, specials
-from rosward.engine.python.assignment import opened_up
+from rosward.engine.python.assignment import is_replaced
 from rosward.engine.python.specials import one_has, special
 from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
+from rosward.models.python.builtins.attributes import is_open
 from rosward.models.python.comparing.equal_objects import compares
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
@@ -162,7 +163,7 @@ def _has_ne(machine: Engine, value: Value) -> bool:
 
 
 def _by_identity(machine: Engine, value: Value) -> bool:
-    """A value that surely compares by identity: no `__eq__`, no base that may have one."""
+    """A value that surely compares by identity: no `__eq__`, no base or decorator that may give one."""
     if value.__class__ is not Ref:
         return value.__class__ in (Class, Function)
     cls = machine.obj(value).cls
@@ -170,6 +171,7 @@ def _by_identity(machine: Engine, value: Value) -> bool:
         cls.__class__ is Class
         and not any(b.__class__ is not Class or (b.stub and not _is_enum(b)) for b in cls.mro)
         and members.lookup(machine, cls, "__eq__") is None
+        and not is_open(machine, cls)
     )
 
 
@@ -256,11 +258,8 @@ def truth(machine: Engine, value: Value) -> bool | None:
     if value.__class__ is Const:
         return bool(value.value) if value.is_settled else None
     if value.__class__ in _CALLABLE:
-        if value.__class__ in (
-            Function,
-            BoundMethod,
-        ):  # a decorator that is not known may have made something else of it
-            return None if opened_up(machine, value) else True
+        if value.__class__ in (Function, BoundMethod):
+            return None if is_replaced(machine, value) else True
         method = _says_truth(machine, value) if value.__class__ is Class else None
         return True if method is None else truth(machine, machine.call(method, ()))
     if value.__class__ is Choice:

@@ -9,13 +9,14 @@ for n in words(): …              a generator runs to its next `yield` before e
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj, Shuffled
 from rosward.domain.series import Series
-from rosward.domain.state import element, join_states
+from rosward.domain.state import element, join_registers, join_states
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, Unknown, Value
@@ -37,6 +38,8 @@ if TYPE_CHECKING:
 
 _FEW: Final = 3
 """So many objects are iterated over one by one, whatever their iterators are."""
+_APART: Final = 8
+"""So many elements of which any may stand at a place of a set are followed one by one; in a loop in such a loop, few."""
 
 
 class Begun(NamedTuple):
@@ -98,6 +101,7 @@ def _over_items(
     """Item by item; any number of turns where items are too many or of unknown number."""
     live = source if isinstance(source, Ref) and _is_list(machine, source) else None
     drained = source if isinstance(source, Ref) and _is_drained(machine, source) else None
+    shuffled = frame.yielded is None and isinstance(source, Ref) and bool(unordered(machine.obj(source)))
     sizes = _sizes(machine, source)
     number, offset, alive = 0, 0, True
     if begun is not None:
@@ -131,8 +135,7 @@ def _over_items(
         machine.precision.turns += 1
         ahead = Items((), None) if live is not None else Items(known[number - offset + 1 :], rest)
         _enter_turn(machine, op, frame, context, number, source, ahead)
-        frame.registers[op.item] = known[number - offset]
-        alive = turn(machine, op.body, frame)
+        alive = _turn_with(machine, op, frame, known[number - offset], apart=shuffled)
         if not alive:
             return False
         number += 1
@@ -164,6 +167,29 @@ def _found(machine: Engine, op: ops.ForEach, frame: Frame, source: Value) -> Ite
         tells = frame.yielded is not None or tells_order(op)
         return in_places(machine, source) if tells else iterate(machine, source)
     return iterate(machine, source)
+
+
+def _turn_with(machine: Engine, op: ops.ForEach, frame: Frame, item: Value, *, apart: bool) -> bool:
+    """A turn with an item. `apart`: with each that may stand there alone, so that what it says of itself (a name and its type) stays together."""
+    alternatives = options(item) if apart else (item,)
+    if not 1 < len(alternatives) <= (_FEW if machine.precision.apart else _APART):
+        frame.registers[op.item] = item
+        return turn(machine, op.body, frame)
+    before, context = frame.registers, frame.context
+    ends: list[list[Value]] = []
+
+    def one(number: int) -> Value:
+        frame.registers = before.copy()
+        frame.registers[op.item] = alternatives[number]
+        frame.context = machine.context(context, frame.code.key, op.number, number)  # as for turns
+        if not turn(machine, op.body, frame):
+            return UNBOUND
+        ends.append(frame.registers)
+        return NONE
+
+    each_apart(machine, range(len(alternatives)), one)
+    frame.registers = reduce(join_registers, ends) if ends else before
+    return bool(ends)
 
 
 def _ahead(machine: Engine, found: Items, live: Ref | None, *, anywhere: bool) -> Items:

@@ -47,14 +47,14 @@ class Queue:
         if self._own is not None:
             return self._taken_of(self._own)
         if self._is_exact() and self._items:
-            return self._taken_of(self._view())
+            return self._taken_of(self._items)
         return _any(self._items)
     def _taken_of(self, items):
-        return items.popleft()
+        return items.pop(0) if self._own is None else items.popleft()
     def put(self, item, block=True, timeout=None):
         if not self._is_exact():
             if self.maxsize > 0 and not block:
-                _any(self._all)  # how many there are decides whether it is full
+                _any(self._items)  # how many there are decides whether it is full
         elif not block and self.full():
             raise Full
         self._put(item)

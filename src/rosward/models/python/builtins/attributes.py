@@ -22,7 +22,7 @@ from rosward.models.python.plain import Raised, native, origins, spread, text_of
 
 MAX_MATCHES: Final = 64
 ANY_ATTRIBUTE: Final = "*"
-"""Among the attributes of a function that may be there: a library that is not read may have set others."""
+"""Among the attributes of a function or class that may be there: a library that is not read may have set others."""
 
 
 class _Sample:
@@ -98,6 +98,11 @@ def of_python(name: str) -> object:
     return found
 
 
+def is_open(machine: Machine, cls: Class) -> bool:
+    """Whether a decorator that is not read may have given a class, or one of its bases, more attributes."""
+    return any(isinstance(b, Class) and ANY_ATTRIBUTE in machine.obj(Ref(b.address)).partial for b in cls.mro)
+
+
 def may_hide(machine: Machine, cls: Class, name: str) -> bool:
     """Whether a class of a model may have an attribute that is not declared: unless it lists all such in `_rosward_hidden`."""
     if not cls.stub or name == "__call__":
@@ -157,7 +162,7 @@ def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
     """Whether instances have an attribute by their class; None where a base or `__getattr__` may."""
     if not isinstance(cls, Class):
         return has_field(machine, cls, name)
-    unknown = slots = False
+    unknown, slots = is_open(machine, cls), False
     for base in cls.mro:
         if isinstance(base, Class):
             record = machine.obj(Ref(base.address))
