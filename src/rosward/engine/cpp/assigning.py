@@ -41,6 +41,7 @@ from rosward.models.cpp.values.chrono import as_duration, is_time
 from rosward.models.cpp.values.contents import has_content, within
 from rosward.models.cpp.values.conversions import convert
 from rosward.models.cpp.values.copies import ASSIGN, copied, write
+from rosward.models.cpp.values.owners import as_pointer, is_sole
 from rosward.models.cpp.values.slots import plain_number, read
 from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 from rosward.models.message_fields import definition_of
@@ -59,11 +60,18 @@ def perform(machine: Engine, op: cpp.Assign, frame: Frame) -> bool | None:
         type_ = frame.registers[op.static]
         target = pointee(type_)
         frame.cast[op.slot] = type_ if target is None else target
+    src = frame.registers[op.src]
+    if op.static != NO_REGISTER and _is_cell(slot) and is_sole(read(machine, src)) and machine.run(op.seen, frame):
+        src = as_pointer(read(machine, src), frame.registers[op.static])
     frame.op, frame.sequence = op, 0
-    done = assign(machine, op.operator, slot, frame.registers[op.src])
+    done = assign(machine, op.operator, slot, src)
     if op.dst != NO_REGISTER:
         frame.registers[op.dst] = done
     return False if done is UNBOUND else None
+
+
+def _is_cell(slot: Value) -> bool:
+    return isinstance(slot, Slot) and slot.kind == "cell"
 
 
 def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
@@ -145,7 +153,10 @@ def _is_whole(value: Value) -> bool:
 
 
 def _as_declared(machine: Engine, slot: Value, value: Value) -> Value:
-    """A duration in the unit of the place in which it is kept, and a whole number as the field or element has it."""
+    """A duration in the unit of the place in which it is kept, a whole number and a pointer as the field or element has them."""
+    if is_sole(value):
+        type_ = _declared(machine, slot)
+        return value if type_ is None else as_pointer(value, type_)
     if is_time(machine, value):
         before = read(machine, slot)
         type_ = machine.obj(before).cls if isinstance(before, Ref) and is_time(machine, before) else None

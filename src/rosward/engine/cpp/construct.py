@@ -223,9 +223,10 @@ def construct_in_place(
         return True
     is_delegated = linked(machine).constructing[-1:] == [(ref.address, info.cls)]
     with _as_class(machine, ref, info.cls):
-        functions = [function_of(machine, s, info.env) for s in constructors(machine, info)]
+        written = constructors(machine, info)
+        functions = [function_of(machine, s, info.env) for s in written]
         elsewhere = outside(info)
-        if elsewhere is not None and not fitting(machine, functions, args):
+        if elsewhere is not None and not fitting(machine, _making(machine, info, written, args), args):
             return initialise(machine, ref, info, (), {dotted(elsewhere): args})
         bases = inheriting(machine, info) if args else []
         inherited = inherited_constructors(machine, bases)
@@ -250,6 +251,12 @@ def construct_in_place(
             return NONE if run(function) else UNBOUND
 
         return each_apart(machine, list(chosen), one) is not UNBOUND
+
+
+def _making(machine: Engine, info: Info, written: list[Symbol], args: tuple[Value, ...]) -> list[Function]:
+    """The constructors that what is given may mean: one that copies takes no list, which is what the base from elsewhere is made of."""
+    is_copied = is_copy(machine, info, args)
+    return [function_of(machine, s, info.env) for s in written if is_copied or not is_copying(info, s)]
 
 
 def _not_delegating(machine: Engine, functions: list[Function]) -> list[Function]:

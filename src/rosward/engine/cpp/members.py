@@ -86,6 +86,9 @@ def member(
         functions = overloads(machine, found, types, owner)
         if functions.functions:
             return functions
+        native = _native_of(machine, within(machine, owner), name) if has_content(machine, owner) else None
+        if native is not None:  # `using std::vector<T>::push_back`
+            return native
     if kind is SymbolKind.VARIABLE:
         return variable(machine, found)
     value = value_of(machine, found, types or None)
@@ -140,10 +143,17 @@ def is_virtual(machine: Engine, info: Info, name: str) -> bool:
 
 def of_content(machine: Engine, place: Value, name: str) -> Value:
     """What the content of an object has under a name: a native, with where that stands."""
+    native = _native_of(machine, place, name)
+    if native is not None:
+        return native
+    return member(machine, place, name) if isinstance(place, Ref) else machine.unknown(Cause.ERROR, f"member {name}")
+
+
+def _native_of(machine: Engine, place: Value, name: str) -> Value | None:
     for type_ in (t for option in options(read(machine, place)) for t in method_types(machine, option)):
         if machine.library.native(f"{type_}.{name}") is not None:
             return Partial(External(f"{type_}.{name}"), (place,), ())
-    return member(machine, place, name) if isinstance(place, Ref) else machine.unknown(Cause.ERROR, f"member {name}")
+    return None
 
 
 def _from_outside(machine: Engine, owner: Ref, cls: Value, name: str, types: tuple[Value, ...]) -> Value:

@@ -27,7 +27,7 @@ from rosward.engine.cpp.values import overloads
 from rosward.engine.cpp.variants import of_variant
 from rosward.engine.running.frame import Frame
 from rosward.models.cpp.receivers import OF_PLACES
-from rosward.models.cpp.values.contents import has_content, is_content, within
+from rosward.models.cpp.values.contents import content_base, has_content, is_content, within
 from rosward.models.cpp.values.copies import copied, write
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.types import method_types, name_of
@@ -185,13 +185,14 @@ def _hiding(machine: Engine, value: Ref, name: str, declared: Callable[[], Value
     if key not in program.hiding:
         infos = [i for base in cls.mro if (i := program.info(base)) is not None]
         with_name = [i for i in infos if program.members(i, name)]
-        program.hiding[key] = len(with_name) > 1 and not members.is_virtual(machine, with_name[-1], name)
+        many = len(with_name) + (content_base(cls) is not None)
+        program.hiding[key] = bool(with_name) and many > 1 and not members.is_virtual(machine, with_name[-1], name)
     if not program.hiding[key]:
         return None
     type_ = declared()
     target = pointee(type_)
     seen = target if target is not None else type_
-    return seen if isinstance(seen, Class) and seen != cls and seen in cls.mro else None
+    return seen if (isinstance(seen, Class) or is_content(seen)) and seen != cls and seen in cls.mro else None
 
 
 def _of_scope(machine: Engine, value: Ref, name: str, types: tuple[Value, ...], scope: Value | None) -> Value | None:

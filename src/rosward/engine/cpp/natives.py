@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rosward.domain.slots import Pointer
 from rosward.domain.values import Value
 from rosward.models.cpp.values.contents import within
 from rosward.models.native import NativeCall, NativeFunction, perform
@@ -15,9 +16,34 @@ if TYPE_CHECKING:
 __all__ = ["run_native"]
 
 _PLACES: Final = frozenset(f"{c}{r}{place}" for c in ("", "c") for r in ("", "r") for place in ("begin", "end"))
+_INSERTERS: Final = ("back_inserter", "front_inserter", "inserter")
+_OF_TEXTS: Final = ("getline", "quoted", *(f"sto{kind}" for kind in ("d", "f", "i", "l", "ld", "ll", "ul", "ull")))
+_WITH_ANOTHER: Final = tuple(
+    f"{type_}.{name}"
+    for type_ in (
+        *("deque", "function", "list", "map", "multimap", "multiset", "optional", "set", "shared_ptr", "string"),
+        *("unordered_map", "unordered_set", "vector"),
+    )
+    for name in ("merge", "splice", "swap")
+)
 _OF_CONTENTS: Final = frozenset(
     f"std.{name}"
-    for name in (*_PLACES, "apply", "data", "empty", "get", "get_if", "holds_alternative", "size", "ssize", "visit")
+    for name in (
+        *(*_PLACES, *_INSERTERS, *_OF_TEXTS, *_WITH_ANOTHER),
+        *(
+            "apply",
+            "data",
+            "empty",
+            "erase",
+            "erase_if",
+            "get",
+            "get_if",
+            "holds_alternative",
+            "size",
+            "ssize",
+            "visit",
+        ),
+    )
 )
 """Functions that see of an object with a content nothing else: `std::get<0>(entry)`."""
 
@@ -29,5 +55,12 @@ def run_native(
     if machine.watch is not None:
         machine.watch.native(name)
     if name in _OF_CONTENTS:
-        args = tuple(within(machine, arg) for arg in args)
+        args = tuple(_seen(machine, arg) for arg in args)
     return perform(native, NativeCall(machine, name, args, keywords))
+
+
+def _seen(machine: Engine, arg: Value) -> Value:
+    """The content of an object, or a pointer to it: `std::get_if<int>(this)`."""
+    if isinstance(arg, Pointer):
+        return Pointer(within(machine, arg.target), arg.owner)
+    return within(machine, arg)

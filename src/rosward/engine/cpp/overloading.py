@@ -262,6 +262,8 @@ def _fit_cast(machine: Engine, value: Value, type_: Value, cast: Value) -> int:
     wanted = pointee(type_)
     if not isinstance(wanted, Class):
         return fit(machine, value, type_)
+    if dotted(type_) != dotted(cast):
+        return fit(machine, value, type_)
     return EXACT if wanted == target else as_base(target, wanted) if wanted in target.mro else NEVER
 
 

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _DEPTH: Final = 20
+_LEADS: Final = POINTERS | REFERENCES
 _LEADING: Final = frozenset({"field_expression", "pointer_expression"})
 _OF_PAIRS: Final = frozenset({"first", "second"})
 _SAME: Final = frozenset({"as_const", "move"})
@@ -44,8 +45,10 @@ _PLAIN: Final = re.compile(
 """Containers of which the elements hide nothing."""
 _NUMBERS: Final = re.compile(r"(?:const\s+)?std::\w+<\s*(?:const\s+)?u?int\d+_t\b[^,]*\Z")
 """Those of which the elements are numbers that begin again."""
-_LIBRARIES: Final = (b"std::string", b"std::vector", b"std::map", b"rclcpp::", b"rclcpp_")
+_LIBRARIES: Final = (b"rclcpp::", b"rclcpp_")
 """How types begin in which nothing is hidden."""
+_CONTAINERS: Final = (b"std::string", b"std::vector", b"std::map")
+"""Those in which only what is referred to hides something: an object of a class that derives from one."""
 
 
 def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Block, int]:
@@ -56,7 +59,7 @@ def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Blo
     if plain.type == "identifier":
         variable = body.variable(word(plain))
         written = variable.written if variable is not None and variable.over is None else None
-        if written is not None and (written[0].text or b"").startswith(_LIBRARIES):
+        if written is not None and _hides_nothing(*written):
             return _NOTHING
     if plain.type == "field_expression" and word(plain.child_by_field_name("field")) not in _OF_PAIRS:
         around = plain.parent
@@ -65,6 +68,15 @@ def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Blo
         if found[1] != NO_REGISTER:
             return found
     return _typed(body, node, place)
+
+
+def _hides_nothing(type_: Node, declarator: Node | None) -> bool:
+    return (type_.text or b"").startswith(_LIBRARIES if _leads(declarator) else (*_LIBRARIES, *_CONTAINERS))
+
+
+def _leads(declarator: Node | None) -> bool:
+    """Whether a variable is a pointer or reference: what it leads to may be of a class that derives from what is written."""
+    return declarator is not None and declarator.type in _LEADS
 
 
 def part_counts(node: Node) -> bool:
@@ -164,7 +176,8 @@ def _of_variable(body: Body, node: Node, place: tuple[int, int], depth: int, par
     if variable.written is None or variable.raw:
         return _NOTHING
     text = (variable.written[0].text or b"").decode()
-    if _PLAIN.match(text) or (part_of is None and _NUMBERS.match(text)):
+    is_plain = _PLAIN.match(text) or (part_of is None and _NUMBERS.match(text))
+    if is_plain and (part_of is not None or not _leads(variable.written[1])):
         return _NOTHING
     return _written(body, variable.written)
 

@@ -27,6 +27,7 @@ from rosward.models.cpp.values.contents import within
 from rosward.models.cpp.values.copies import copied, several
 from rosward.models.cpp.values.number_conversions import NUMBERS
 from rosward.models.cpp.values.ordering import unique
+from rosward.models.cpp.values.owners import as_pointer
 from rosward.models.cpp.values.slots import key_of, new_pair, read, read_field
 from rosward.models.cpp.values.types import REFERENCE, Shape, argument, hint_of, is_reference, name_of, shape_of
 from rosward.models.native import Machine
@@ -174,9 +175,7 @@ def convert(machine: Machine, value: Value, type_: Value, kind: str = "init", de
         return _unbraced(machine, value, type_, depth)
     if shape is Shape.CLASS and isinstance(type_, Class):
         return _object(machine, value, type_)
-    if shape is Shape.VOID:
-        return NONE
-    return value
+    return NONE if shape is Shape.VOID else as_pointer(value, type_)
 
 
 def owned(machine: Machine, value: Value, type_: Value, depth: int = 0) -> Value:

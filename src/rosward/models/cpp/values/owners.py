@@ -14,7 +14,7 @@ from rosward.domain.values import Choice, Ref, Value
 from rosward.models.cpp.values.types import name_of
 from rosward.models.native import Machine
 
-__all__ = ["as_pointer", "give_away", "owning"]
+__all__ = ["as_pointer", "give_away", "is_sole", "owning"]
 
 
 def owning(value: Value, owner: Owner) -> Value:
@@ -24,19 +24,24 @@ def owning(value: Value, owner: Owner) -> Value:
 
 def as_pointer(value: Value, type_: Value) -> Value:
     """A pointer as one of a type: one that owned something alone shares it now, as does one of which nobody knew whether it owns."""
-    shared = name_of(type_).endswith(".shared_ptr") and value.__class__ in (Pointer, Choice)
+    shared = value.__class__ in (Pointer, Choice) and name_of(type_).endswith(".shared_ptr")
     return owning(value, "shared") if shared else value
+
+
+def is_sole(value: Value) -> bool:
+    """Whether a value is a pointer that owns what it leads to alone: what it is given to may share that."""
+    return value.__class__ is Pointer and value.owner == "unique"
 
 
 def give_away(machine: Machine, ref: Ref) -> None:
     """What an object owned alone belongs to its copy from then on: such an object is moved, it cannot be copied."""
 
     def one(value: Value) -> Value:
-        return Pointer(value.target) if value.__class__ is Pointer and value.owner == "unique" else value
+        return Pointer(value.target) if isinstance(value, Pointer) and is_sole(value) else value
 
     obj = machine.obj(ref)
     for value in (*obj.attrs.values(), *(obj.items or ())):
-        if value.__class__ is Pointer and value.owner == "unique":
+        if is_sole(value):
             break
     else:
         return
