@@ -107,19 +107,28 @@ def _unknown(call: NativeCall) -> Value:
 
 def mark(machine: Machine, value: Value, origin: Origin) -> Value:
     """The value, and all that it holds, as computed from an origin."""
+    return _marked(machine, value, origin, {})
+
+
+def _marked(machine: Machine, value: Value, origin: Origin, lists: dict[int, Value]) -> Value:
+    """`lists` are those that were met: one may lie in several others, and in itself, where it stays as it is."""
     if isinstance(value, Const):
         return value if value.value is None else Const(value.value, value.origins | {origin})
     if isinstance(value, Text):
         return Text(value.parts, value.origins | {origin})
     if isinstance(value, Tuple):
-        return Tuple(tuple(mark(machine, v, origin) for v in value.items))
+        return Tuple(tuple(_marked(machine, v, origin, lists) for v in value.items))
     if isinstance(value, Ref) and machine.obj(value).kind in ("list", "set"):
+        if value.address in lists:
+            return lists[value.address]
+        lists[value.address] = value
         obj = machine.obj(value)
-        items = None if obj.items is None else [mark(machine, v, origin) for v in obj.items]
-        rest = None if obj.rest is None else mark(machine, obj.rest, origin)
-        return machine.new_list(items or (), rest)
+        items = None if obj.items is None else [_marked(machine, v, origin, lists) for v in obj.items]
+        rest = None if obj.rest is None else _marked(machine, obj.rest, origin, lists)
+        lists[value.address] = machine.new_list(items or (), rest)
+        return lists[value.address]
     if len(options(value)) > 1:
-        return join_all(mark(machine, v, origin) for v in options(value))
+        return join_all(_marked(machine, v, origin, lists) for v in options(value))
     return value
 
 
