@@ -158,7 +158,12 @@ _TABLE: Final = (
         _E,
         "The node that this call belongs to is unknown, so the entity is in no policy.",
     ),
-    Rule("RW209", "call fails at run time", _W, "The real library raises an exception here."),
+    Rule(
+        "RW209",
+        "call fails at run time",
+        _W,
+        "The call raises an exception when the program runs. Correct the call, or what it is given.",
+    ),
     Rule(
         "RW210",
         "starts another program",
