@@ -193,7 +193,7 @@ def generalise(values: tuple[Value, ...]) -> Value:
         reasons = tuple(dict.fromkeys((Reason(Cause.MANY, _BEHAVIOUR, _NOWHERE), *reasons)))[:MAX_REASONS]
     elif any(not reasons_of(v) for v in values):
         reasons = _telling(reasons, Reason(Cause.MANY, "", _NOWHERE))
-    if all(_is_text(v) for v in values):
+    if all(is_text(v) for v in values):
         return common(values, reasons)
     kinds = {_kind(v) for v in values}
     return Unknown(reasons, kinds.pop() if len(kinds) == 1 else "")
@@ -204,7 +204,8 @@ def _telling(reasons: tuple[Reason, ...], why: Reason) -> tuple[Reason, ...]:
     return reasons if any(r.cause not in TAKEN_FOR_NOTHING for r in reasons) else (why, *reasons)[:MAX_REASONS]
 
 
-def _is_text(value: Value) -> bool:
+def is_text(value: Value) -> bool:
+    """Whether a value is a text, of which a part may not be known."""
     return value.__class__ is Text or (value.__class__ is Const and value.value.__class__ is str)
 
 
@@ -249,7 +250,7 @@ def widen(old: Value, new: Value, reason: Reason) -> Value:
     strings: list[Value] = []
     for option in options(joined):
         kind = _kind(option)
-        if kind == "str" and "str" in moving and _is_text(option):
+        if kind == "str" and "str" in moving and is_text(option):
             strings.append(option)
         elif kind in moving and option.__class__ in (Const, Tuple):
             keep.append(Unknown((reason,), kind))
@@ -269,8 +270,8 @@ _SOME: Final = 16
 def _grow(old: Value, joined: Value) -> bool:
     """Whether the texts of a loop may be new in each turn. Some that come at once, none of them made of one before, are those of a list that it
     goes through: they are kept apart a few times."""
-    before = [o for o in options(old) if _is_text(o)]
-    after = [o for o in options(joined) if _is_text(o)]
+    before = [o for o in options(old) if is_text(o)]
+    after = [o for o in options(joined) if is_text(o)]
     if len(before) > _FEW or len(after) > _SOME or any(o.__class__ is not Const for o in after):
         return True
     known = [str(o.value) for o in before if o.__class__ is Const and o.value]

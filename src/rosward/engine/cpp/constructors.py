@@ -106,10 +106,13 @@ def _takes_derived(machine: Engine, info: Info, symbol: Symbol) -> bool:
 
 def outside(info: Info) -> Value | None:
     """The base that is no class of the program of which a class has the constructors: `using std::vector<Corner>::vector`."""
+    bases = [b for b in info.cls.bases if not isinstance(b, Class) and name_of(b)] if info.cls is not None else []
+    if not bases:
+        return None
     usings = [s.target for s in info.symbol.members if s.kind is SymbolKind.USING and s.target]
-    for base in info.cls.bases if usings and info.cls is not None else ():
+    for base in bases:
         own = name_of(base).rpartition(".")[2]
-        if own and not isinstance(base, Class) and any(u[-1] == own or u[-2:-1] == u[-1:] for u in usings):
+        if own and any(u[-1] == own or u[-2:-1] == u[-1:] for u in usings):
             return base
     return None
 

@@ -26,24 +26,10 @@ _WITH_ANOTHER: Final = tuple(
     )
     for name in ("merge", "splice", "swap")
 )
+_OF_VARIANTS: Final = ("apply", "get", "get_if", "holds_alternative", "visit")
+_OF_SIZES: Final = ("data", "empty", "erase", "erase_if", "size", "ssize")
 _OF_CONTENTS: Final = frozenset(
-    f"std.{name}"
-    for name in (
-        *(*_PLACES, *_INSERTERS, *_OF_TEXTS, *_WITH_ANOTHER),
-        *(
-            "apply",
-            "data",
-            "empty",
-            "erase",
-            "erase_if",
-            "get",
-            "get_if",
-            "holds_alternative",
-            "size",
-            "ssize",
-            "visit",
-        ),
-    )
+    f"std.{name}" for name in (*_PLACES, *_INSERTERS, *_OF_TEXTS, *_WITH_ANOTHER, *_OF_VARIANTS, *_OF_SIZES)
 )
 """Functions that see of an object with a content nothing else: `std::get<0>(entry)`."""
 

@@ -39,17 +39,19 @@ def hand(machine: Engine, callee: Value, args: tuple[Value, ...], keywords: dict
     if len(args) != 1 or keywords:
         return None
     given, behind = args[0], _behind(args[0])
-    if behind is None or not (isinstance(callee, External) or _stands_above(machine, behind)):
-        return None
-    if isinstance(callee, External) and _asks(callee.name):
+    if behind is None:
         return None
     decorates = _stands_above(machine, behind)
+    if _asks(callee.name) if isinstance(callee, External) else not decorates:
+        return None
     if decorates and _is_method(behind):
         machine.trace.handed.setdefault(behind, machine.place)
     else:
         escape(machine, args, name_of(callee), callee)
     assignment.open_up(machine, behind, replaced=decorates)
-    return _made_of(machine, callee, given, behind)
+    if decorates:
+        return Descriptor("property", given, None, None) if _is_property(callee, given) else given
+    return _made_of(machine, callee, given)
 
 
 def _behind(given: Value) -> Function | Class | None:
@@ -84,10 +86,8 @@ def _is_property(callee: Value, given: Value) -> bool:
     return "property" in name_of(callee).rpartition(".")[2].lower()
 
 
-def _made_of(machine: Engine, callee: Value, given: Value, behind: Function | Class) -> Value:
-    """What such a call gives: a decorator what it was given, another one that or something else, or an object of the class."""
-    if _stands_above(machine, behind):
-        return Descriptor("property", given, None, None) if _is_property(callee, given) else given
+def _made_of(machine: Engine, callee: Value, given: Value) -> Value:
+    """What such a call gives that is no decorator: what it was given or something else, or an object of the class."""
     made = machine.unknown(Cause.CALL, name_of(callee))
     if isinstance(given, Function):
         # `Depends(get_node)` may keep it only, and a lambda is what something else is set to

@@ -15,6 +15,7 @@ import builtins
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
+from rosward.domain.choice import is_text
 from rosward.domain.compound import BoundMethod, External, Native, Partial, TooManyPartsError, Tuple
 from rosward.domain.heap import KIND
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Value
@@ -190,7 +191,7 @@ def _load_item(machine: Engine, op: ops.LoadItem, frame: Frame) -> bool:
     value, index = frame.registers[op.obj], frame.registers[op.index]
     if index.__class__ is not Const or not index.is_settled:
         return True
-    if value.__class__ in (Tuple, Class) or (value.__class__ is Const and value.is_settled and _is_text(value)):
+    if value.__class__ in (Tuple, Class) or (value.__class__ is Const and value.is_settled and is_text(value)):
         return False  # where it fails, the operation says so
     if value.__class__ is not Ref:
         return True
@@ -219,13 +220,9 @@ def _plain(*values: Value) -> bool:
 
 def _binary(_machine: Engine, op: ops.Binary, frame: Frame) -> bool:
     left, right = frame.registers[op.left], frame.registers[op.right]
-    if op.operator in _DIVIDING and right.__class__ is Const and not right.is_settled and not _is_text(left):
+    if op.operator in _DIVIDING and right.__class__ is Const and not right.is_settled and not is_text(left):
         return True  # it may be zero
     return not _plain(left, right)
-
-
-def _is_text(value: Value) -> bool:
-    return value.__class__ is Text or (value.__class__ is Const and isinstance(value.value, str))
 
 
 def _unary(_machine: Engine, op: ops.Unary, frame: Frame) -> bool:
@@ -254,9 +251,8 @@ def _unpack(machine: Engine, op: ops.Unpack, frame: Frame) -> bool:
         items = machine.obj(value).items
         if items is None or len(items) != len(op.dsts) or op.star != ops.NO_REGISTER:
             return True
-        return not all(
-            i.is_settled for i in items if i.__class__ is Const
-        )  # a text that is split elsewhere has other parts
+        # A text that is split and is another one may have other parts.
+        return not all(i.is_settled for i in items if i.__class__ is Const)
     return not (value.__class__ is Tuple and len(value.items) == len(op.dsts) and op.star == ops.NO_REGISTER)
 
 

@@ -136,7 +136,7 @@ def _reset(call: NativeCall) -> Value:
         _deleted_by(call.machine, call.args[2], call.args[1])
     given = read(call.machine, call.args[1]) if len(call.args) > 1 else NONE
     held = {o.owner for o in options(read(call.machine, call.args[0])) if isinstance(o, Pointer)}
-    owner: Owner = held.pop() if len(held) == 1 else "" if held else "shared"  # no other pointer has this method
+    owner: Owner = held.pop() if len(held) == 1 else "" if held else "shared"  # a null pointer: of either kind
     write(call.machine, call.args[0], owning(given, owner if len(call.args) < 3 else ""))
     return NONE
 

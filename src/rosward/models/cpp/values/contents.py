@@ -52,10 +52,11 @@ def put(machine: Machine, ref: Ref, value: Value) -> bool:
 
 def within(machine: Machine, value: Value) -> Value:
     """Where the content of an object stands; any other value as it is."""
-    if not any(has_content(machine, option) for option in options(read(machine, value))):
+    found = options(read(machine, value))
+    if not any(has_content(machine, option) for option in found):
         return value
     places: list[Value] = []
-    for option in options(read(machine, value)):
+    for option in found:
         held = machine.obj(option).attrs.get(CONTENT) if isinstance(option, Ref) else None
         if held is None or not isinstance(option, Ref):
             places.append(option)
