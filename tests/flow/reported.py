@@ -61,3 +61,12 @@ def said_of(rows: Iterable[Row], sink: str, line: int | None = None, others: Ite
         return None
     data, control, trigger = (frozenset().union(*(getattr(r, s) for r in mine)) for s in STRENGTHS)
     return Said(data, control - data, trigger - control - data)
+
+
+def said_by(folder: Path, program: str, sink: str) -> Said:
+    """What is said of one sink of a program, which is written into a folder; that the sink is there, is asserted."""
+    file = folder / "robot.py"
+    file.write_text(program)
+    said = said_of(reported(file), sink)
+    assert said is not None
+    return said

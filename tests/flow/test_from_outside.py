@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 import pytest
 from sampling import sample
 
-from .reported import reported, said_of
+from .reported import reported, said_by, said_of
 
 PROGRAM: Final = """
 import contextlib
@@ -180,10 +180,7 @@ rclpy.spin(Robot())
 
 
 def test_what_is_asked_of_a_cache_decides_what_it_gives(tmp_path: Path) -> None:
-    program = tmp_path / "robot.py"
-    program.write_text(CACHE)
-    said = said_of(reported(program), "topic:/out")
-    assert said is not None
+    said = said_by(tmp_path, CACHE, "topic:/out")
     assert said.data == {"topic:/in"}
     assert said.control == {"topic:/when"}
 
@@ -246,10 +243,7 @@ rclpy.spin(Robot())
 def test_what_decides_that_a_goal_is_accepted_decides_what_is_done_for_it(
     sink: str, decides: set[str], tmp_path: Path
 ) -> None:
-    program = tmp_path / "robot.py"
-    program.write_text(SERVER)
-    said = said_of(reported(program), sink)
-    assert said is not None
+    said = said_by(tmp_path, SERVER, sink)
     assert decides <= said.control
 
 
@@ -266,10 +260,7 @@ OTHER_SERVER: Final = SERVER.replace(
 
 
 def test_what_decides_that_a_goal_is_accepted_decides_nothing_for_another_server(tmp_path: Path) -> None:
-    program = tmp_path / "robot.py"
-    program.write_text(OTHER_SERVER)
-    said = said_of(reported(program), "topic:/free")
-    assert said is not None
+    said = said_by(tmp_path, OTHER_SERVER, "topic:/free")
     assert said.data | said.control == frozenset()
 
 
@@ -299,10 +290,7 @@ rclpy.spin(Robot())
 
 
 def test_whether_a_goal_is_accepted_comes_from_the_server(tmp_path: Path) -> None:
-    program = tmp_path / "robot.py"
-    program.write_text(CLIENT)
-    said = said_of(reported(program), "topic:/out")
-    assert said is not None
+    said = said_by(tmp_path, CLIENT, "topic:/out")
     assert "result:/count" in said.control
 
 
@@ -338,21 +326,17 @@ rclpy.spin(Robot())
 
 
 def test_what_decides_that_a_parameter_is_set_decides_what_is_made_of_it(tmp_path: Path) -> None:
-    program = tmp_path / "robot.py"
-    program.write_text(PARAMETER)
-    said = said_of(reported(program), "topic:/out")
-    assert said is not None
+    said = said_by(tmp_path, PARAMETER, "topic:/out")
     assert said.data == {"parameter:gain"}
     assert said.control == {"topic:/limit"}
 
 
 def test_another_parameter_decides_that_a_parameter_is_set(tmp_path: Path) -> None:
-    program = tmp_path / "robot.py"
     declared = "declare_parameter('gain', 1.0)"
     most = PARAMETER.replace("> self.limit:", "> self.get_parameter('most').value:")
-    program.write_text(most.replace(declared, f"{declared}\n        self.declare_parameter('most', 2.0)"))
-    said = said_of(reported(program), "topic:/out")
-    assert said is not None
+    said = said_by(
+        tmp_path, most.replace(declared, f"{declared}\n        self.declare_parameter('most', 2.0)"), "topic:/out"
+    )
     assert said.data == {"parameter:gain"}
     assert said.control == {"parameter:most"}
 
@@ -391,10 +375,7 @@ rclpy.spin(Robot())
     ],
 )
 def test_what_a_function_of_a_library_calls_a_callback_with_comes_from_there(registers: str, tmp_path: Path) -> None:
-    program = tmp_path / "robot.py"
-    program.write_text(CALLED.format(registers))
-    said = said_of(reported(program), "topic:/out")
-    assert said is not None
+    said = said_by(tmp_path, CALLED.format(registers), "topic:/out")
     assert "device" in said.data
 
 

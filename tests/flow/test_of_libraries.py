@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from sampling import sample
 
-from .reported import reported, said_of
+from .reported import reported, said_by, said_of
 
 HEAD = """
 import rclpy
@@ -144,10 +144,7 @@ rclpy.spin(Robot())
     ),
 )
 def test_what_a_library_does_is_said(program: str, sink: str, strength: str, source: str, tmp_path: Path) -> None:
-    file = tmp_path / "robot.py"
-    file.write_text(HEAD + textwrap.dedent(program))
-    said = said_of(reported(file), sink)
-    assert said is not None
+    said = said_by(tmp_path, HEAD + textwrap.dedent(program), sink)
     assert source in getattr(said, strength), said
 
 
@@ -312,10 +309,7 @@ rclpy.spin(Robot())
     ),
 )
 def test_what_a_base_class_or_a_callback_brings_is_said(program: str, sink: str, source: str, tmp_path: Path) -> None:
-    file = tmp_path / "robot.py"
-    file.write_text(HEAD + textwrap.dedent(program))
-    said = said_of(reported(file), sink)
-    assert said is not None
+    said = said_by(tmp_path, HEAD + textwrap.dedent(program), sink)
     assert source in said.data, said
 
 
@@ -371,10 +365,7 @@ def test_a_callback_of_a_pin_runs_where_the_device_says_so(tmp_path: Path) -> No
 
 
 def test_how_often_diagnostics_are_made_is_not_in_them(tmp_path: Path) -> None:
-    file = tmp_path / "robot.py"
-    file.write_text(HEAD + textwrap.dedent(DIAGNOSES))
-    said = said_of(reported(file), "topic:/diagnostics")
-    assert said is not None
+    said = said_by(tmp_path, HEAD + textwrap.dedent(DIAGNOSES), "topic:/diagnostics")
     assert said.data == {"topic:/in"}
 
 
