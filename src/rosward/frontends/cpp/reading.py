@@ -28,6 +28,8 @@ _TEXT_LIMIT: Final = 4_000_000
 _GIVEN: Final = frozenset({"assert"})
 """Macros of which the language says what they do, however somebody defines them."""
 _CALL_LINES: Final = 400
+_SHORT: Final = 10_000
+"""So many tokens may become of what is expanded only to be looked at."""
 _GOES_ON: Final = re.compile(r"\s*else\b")
 """What belongs to a statement from before."""
 _INCLUDE: Final = re.compile(r'"([^"\n]+)"|<([^>\n]+)>')
@@ -189,10 +191,7 @@ class Reading:
         unit = self._unit
         text = directive.text
         if text[:1] not in {'"', "<"}:
-            try:
-                text = "".join(Expansion(unit.macros, 10_000, lambda _, __: None).expand(tokens(text))).strip()
-            except TooMuchError:
-                text = ""
+            text = self._with_macros(text).strip()
         found = _INCLUDE.match(text)
         if found is None:
             self._tell("RW206", "Which file is included here is not known.", directive.line)
@@ -332,7 +331,24 @@ class Reading:
         codes = [code_of(self._source.lines, self._source.found, *branch) for branch in branches]
         if not any(code.strip() for code in codes):
             return True
-        return begins_here(before) and all(is_whole(code) and not _GOES_ON.match(code) for code in codes)
+        return begins_here(before) and all(map(self._is_whole, codes))
+
+    def _is_whole(self, code: str) -> bool:
+        """Whether a branch is whole statements or members: as it is written, or with its macros (`MEMBERS(a, b)`)."""
+        return not _GOES_ON.match(code) and (is_whole(code) or is_whole(self._with_macros(code)))
+
+    def _with_macros(self, text: str) -> str:
+        """A text with macros expanded; as it is where that is too much."""
+        unit = self._unit
+        if unit.macros.keys().isdisjoint(NAME.findall(text)):
+            return text
+        expansion = Expansion(unit.macros, _SHORT, lambda _, __: None)
+        try:
+            made = "".join(expansion.expand(tokens(text)))
+        except TooMuchError:
+            return text
+        unit.budget -= _SHORT - expansion.budget
+        return made
 
     def _both(self, branches: list[tuple[int, int]], chosen: list[int], complete: bool) -> None:
         """Each branch that may be taken, one after the other, each with the macros from before; what they define is joined."""
