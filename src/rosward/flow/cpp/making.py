@@ -163,10 +163,15 @@ def _initialise(walker: Walker, op: cpp.Initialise, body: Body, seen: Seen) -> b
     if not copied_yet:
         copies(walker, seen, everything)
     calls.callees(walker, body, seen, everything, certain=True, done=done)
-    outside.natives(walker, body, seen, [everything])
+    outside.natives(walker, body, seen, [everything], done=_fields(walker, this))
     outside.strange(walker, op.number, body, seen, [everything])
     calls.register(walker, body, seen, everything)
     return None
+
+
+def _fields(walker: Walker, this: Mark) -> frozenset[Root]:
+    """An object with those that are parts of it: into each was written what is given for it, and no more."""
+    return frozenset(part for root in this.roots if isinstance(root, int) for part in consists_of(walker, root))
 
 
 def _one_member(
@@ -208,8 +213,9 @@ def _one_member(
             if len(known) == 1 or not fields:
                 _give_part(walker, seen, root, member.name, found, parts_of(walker, root).get(member.name, NONE))
             else:
+                mark = Mark(walker.memory.deep(found), found.roots)
                 for inner in fields:
-                    walker.memory.write_any([inner], Mark(walker.memory.deep(found), found.roots))
+                    walker.memory.write_any(consists_of(walker, inner), mark, mark.mask)
 
 
 def _either(walker: Walker, mark: Mark) -> Mark:

@@ -201,7 +201,10 @@ def _address_of(walker: Walker, op: cpp.AddressOf, body: Body, seen: Seen) -> No
 
 def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
     target, source = _through(walker, body.registers[op.slot], seen), body.registers[op.src]
-    given = acts(walker, op, body, seen, [target, source], certain=True) if is_busy(seen) else None
+    given = None
+    if is_busy(seen):
+        places = frozenset(slot_of(r)[0] if is_slot(r) else r for r in target.roots)
+        given = acts(walker, op, body, seen, [target, source], certain=True, done=places)
     mark = value(walker, source)
     written = copied(mark, seen).under(under_choice(body, target))
     before = value(walker, target)
@@ -297,6 +300,11 @@ def _methods(walker: Walker, owner: Mark, method: str, seen: Seen) -> tuple[str,
     return tuple(sorted(f"{name}.{method}" for name in named))
 
 
+def _objects(mark: Mark) -> frozenset[Root]:
+    """The objects of a value that have an address."""
+    return frozenset(r for r in mark.roots if isinstance(r, int))
+
+
 def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     """`stream << value` among others."""
     left, right = body.registers[op.left], body.registers[op.right]
@@ -306,8 +314,7 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     if op.operator == "<<" and kind:
         if kind != "text":
             out(walker, kind, mask)
-        if kind != "stdout":
-            walker.memory.write_any([r for r in held.roots if isinstance(r, int)] or slots(left), Mark(mask), mask)
+        outside.written_to(walker, kind, Mark(0, _objects(held) or slots(left)), mask)
         body.registers[op.dst] = Mark(left.mask, left.roots)
         return
     if op.operator == ">>" and kind == "file":

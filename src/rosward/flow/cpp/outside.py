@@ -24,7 +24,7 @@ from rosward.flow.cpp.values import (
 from rosward.flow.marked_cpp import LOGS, MOVES, READS, SIZES, SORTS, STORES, STREAMS, is_setter
 from rosward.flow.marks import HANDLED, NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.native import parameters
-from rosward.flow.outside import cleaned, out
+from rosward.flow.outside import cleaned, comes_in, out
 from rosward.flow.reading import arising
 from rosward.flow.stored.content import Content
 
@@ -33,11 +33,20 @@ if TYPE_CHECKING:
 
 
 def natives(
-    walker: Walker, body: Body, seen: Seen, marks: list[Mark], constants: tuple[object, ...] = ()
+    walker: Walker,
+    body: Body,
+    seen: Seen,
+    marks: list[Mark],
+    constants: tuple[object, ...] = (),
+    *,
+    done: frozenset[Root] = frozenset(),
 ) -> Mark | None:
-    """What models in code give, and what they write; None where none runs."""
+    """What models in code give, and what they write; None where none runs.
+
+    `done`: into these objects was written what they are given, but for what comes from outside.
+    """
     mine = [m for m, site in seen.made.items() if not _is_copy(site) or site[1] in seen.made]
-    wrote = seen.wrote - set(seen.made)
+    wrote = {a for a in seen.wrote if a not in seen.made and a not in done}
     if not (seen.natives or wrote):
         return None
     memory = walker.memory
@@ -57,6 +66,8 @@ def natives(
     is_size = bool(names) and all(n in SIZES for n in last)
     if is_size:
         near = whole = near.under(walker.memory.size(near.roots))
+    elif last == ["is_open"]:  # what was written there does not matter
+        near = whole = near.under(_opened(walker, near))
     elif not own and not (names and all(n in STORES or (simple and n in READS) for n in last)):
         whole = Mark(walker.memory.deep(near), near.roots | passed)
     brought = 0
@@ -68,6 +79,8 @@ def natives(
         kind = STREAMS.get(name.rpartition(".")[0], kind)
         if kind not in ("", "text"):
             out(walker, kind, whole.mask)
+        if name == "std.getline" and (comes := stream(walker, near) or "stdin") != "text":
+            brought |= comes_in(walker, comes)
         if name.endswith(".reset"):  # what nobody holds any more runs no more
             for root in near.roots:
                 library.stop(walker, root, body.pc | demoted(near.mask))
@@ -77,11 +90,14 @@ def natives(
         if name.startswith("rosward."):
             brought |= _parameter(walker, body, seen, name, marks, constants)
     content = near if names and all(n in STORES for n in last) else whole
+    if last == ["reset"]:  # what it held until then is not in it any more
+        content = whole = _all(walker, marks[1:])
     written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
     if not any(n in _ARRIVING for n in names):
         for address in mine:
             if address not in {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}:
-                memory.write_any([address], written, body.pc | near.mask)
+                given = Mark(brought) if address in done else written
+                memory.write_any([address], given, body.pc | near.mask if given is written else 0)
     _written(walker, marks, seen, wrote, written, body)
     if not MOVES.isdisjoint(last):
         _moved(walker, wrote, near if seen.bound or SORTS.isdisjoint(last) else written)
@@ -90,6 +106,14 @@ def natives(
         return passed_on.under(body.pc | brought | arising(walker, seen))
     mask = whole.mask | brought | arising(walker, seen)
     return Mark(mask, nameless(whole))
+
+
+def _all(walker: Walker, marks: list[Mark]) -> Mark:
+    """The values of several registers, with all that they lead to."""
+    found = NOTHING
+    for mark in marks:
+        found = found.joined(value(walker, mark))
+    return Mark(walker.memory.deep(found), found.roots)
 
 
 def _parameter(
@@ -226,8 +250,23 @@ def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:
 
 _FEW: Final = 12
 """Of more objects, those that code nobody knows gets hold of are one, if libraries made them."""
+_OPENED, _WRITTEN = "opened", "written"
+"""Under which keys of a stream stands which file it leads to, and what was written to that."""
 _WRITES: Final = frozenset(f"std.stringstream.{name}" for name in ("write", "put"))
 """How streams are written to but by `<<`."""
+
+
+def written_to(walker: Walker, kind: str, place: Mark, mask: int) -> None:
+    """What a stream is given stays in it; of one that leads to a file, it is told apart from what says which file that is."""
+    if kind == "file" and not any(map(is_slot, place.roots)):
+        walker.memory.write(place.roots, _WRITTEN, walker.memory.read(place.roots, _WRITTEN).under(mask))
+    elif kind != "stdout":
+        walker.memory.write_any(place.roots, Mark(mask), mask)
+
+
+def _opened(walker: Walker, mark: Mark) -> int:
+    """Which file streams lead to."""
+    return comes_in(walker, "file") | walker.memory.read(mark.roots, _OPENED).mask
 
 
 def stream(walker: Walker, mark: Mark) -> str:
