@@ -274,8 +274,9 @@ def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen:
     else:
         function = body.registers[op.func]
         pc = demoted(value(walker, function).mask)
-        if not seen.effects and (nameless(function) or slots(function) or function.mask & ~body.pc):
-            marks = [*marks, Mark(function.mask, nameless(function) | slots(function))]
+        held = slots(function) | (nameless(function) if seen.strange or not seen.natives else frozenset())
+        if not seen.effects and (held or function.mask & ~body.pc):  # a model in code holds nothing
+            marks = [*marks, Mark(function.mask, held)]
     given = acts(walker, op, body, seen, marks, pc=pc, called=called)
     if given is None:
         given = Mark(walker.memory.deep(value(walker, operands(body, reads(op)))))

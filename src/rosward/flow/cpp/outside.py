@@ -104,6 +104,8 @@ def natives(
     if own:
         passed_on = Mark(whole.mask, nameless(whole)) if not _PASSING.isdisjoint(names) else NOTHING
         return passed_on.under(body.pc | brought | arising(walker, seen))
+    if seen.bound and not names:  # what bodies give says it
+        return None
     mask = whole.mask | brought | arising(walker, seen)
     return Mark(mask, nameless(whole))
 
