@@ -52,12 +52,12 @@ def acts(
     passed = (
         marks if result is None else [*marks, result]
     )  # a model writes what it is given, and what callables give it
-    for done in (
+    for brought in (
         outside.natives(walker, body, seen, passed, keys, done=done),
         outside.strange(walker, op.number, body, seen, marks, called),
     ):
-        if done is not None:
-            result = done if result is None else result.joined(done)
+        if brought is not None:
+            result = brought if result is None else result.joined(brought)
     calls.register(walker, body, seen, everything)
     if any(n in _SPINS for n in seen.natives):
         walker.join_beside()

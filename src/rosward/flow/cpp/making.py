@@ -183,7 +183,7 @@ def _one_member(
     known: dict[int, Mark],
     done: set[object],
 ) -> None:
-    fields: set[Root] = set()
+    fields: set[int] = set()
     for root in this.roots:
         record = walker.shape.record(root) if isinstance(root, int) else None
         held = None if record is None else record.attrs.get(member.name)

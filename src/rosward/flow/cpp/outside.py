@@ -45,11 +45,9 @@ def natives(
 
     `done`: into these objects was written what they are given, but for what comes from outside.
     """
-    mine = [m for m, site in seen.made.items() if not _is_copy(site) or site[1] in seen.made]
     wrote = {a for a in seen.wrote if a not in seen.made and a not in done}
     if not (seen.natives or wrote):
         return None
-    memory = walker.memory
     near, passed = Mark(body.pc), frozenset[Root]()
     for mark in marks:
         near = near.joined(value(walker, mark))
@@ -70,6 +68,36 @@ def natives(
         near = whole = near.under(_opened(walker, near))
     elif not own and not (names and all(n in STORES or (simple and n in READS) for n in last)):
         whole = Mark(walker.memory.deep(near), near.roots | passed)
+    brought = _brought(walker, body, seen, names, marks, constants, near, whole)
+    content = near if names and all(n in STORES for n in last) else whole
+    if last == ["reset"]:  # what it held until then is not in it any more
+        content = whole = _all(walker, marks[1:])
+    written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
+    if not any(n in _ARRIVING or n in _REGISTERING for n in names):
+        _made(walker, seen, written, body.pc | near.mask, done, brought)
+    _written(walker, marks, seen, wrote, written, body)
+    if not MOVES.isdisjoint(last):
+        _moved(walker, wrote, near if seen.bound or SORTS.isdisjoint(last) else written)
+    if own:
+        passed_on = Mark(whole.mask, nameless(whole)) if not _PASSING.isdisjoint(names) else NOTHING
+        return passed_on.under(body.pc | brought | arising(walker, seen))
+    if seen.bound and not names:  # what bodies give says it
+        return None
+    mask = whole.mask | brought | arising(walker, seen)
+    return Mark(mask, nameless(whole))
+
+
+def _brought(
+    walker: Walker,
+    body: Body,
+    seen: Seen,
+    names: list[str],
+    marks: list[Mark],
+    constants: tuple[object, ...],
+    near: Mark,
+    whole: Mark,
+) -> int:
+    """What models in code bring in from outside; what they send out is sent."""
     brought = 0
     for name in names:
         if name.startswith(LOGS):
@@ -89,25 +117,19 @@ def natives(
             brought |= _arrives(walker, body, seen, name)
         if name.startswith("rosward."):
             brought |= _parameter(walker, body, seen, name, marks, constants)
-    content = near if names and all(n in STORES for n in last) else whole
-    if last == ["reset"]:  # what it held until then is not in it any more
-        content = whole = _all(walker, marks[1:])
-    written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
-    if not any(n in _ARRIVING for n in names):
-        for address in mine:
-            if address not in {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}:
-                given = Mark(brought) if address in done else written
-                memory.write_any([address], given, body.pc | near.mask if given is written else 0)
-    _written(walker, marks, seen, wrote, written, body)
-    if not MOVES.isdisjoint(last):
-        _moved(walker, wrote, near if seen.bound or SORTS.isdisjoint(last) else written)
-    if own:
-        passed_on = Mark(whole.mask, nameless(whole)) if not _PASSING.isdisjoint(names) else NOTHING
-        return passed_on.under(body.pc | brought | arising(walker, seen))
-    if seen.bound and not names:  # what bodies give says it
-        return None
-    mask = whole.mask | brought | arising(walker, seen)
-    return Mark(mask, nameless(whole))
+    return brought
+
+
+def _made(walker: Walker, seen: Seen, written: Mark, size: int, done: frozenset[Root], brought: int) -> None:
+    """What is made holds what it is made of."""
+    begun = {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}
+    for address, site in seen.made.items():
+        if (_is_copy(site) and site[1] not in seen.made) or address in begun:
+            continue
+        if address in done:
+            walker.memory.write_any([address], Mark(brought))
+        else:
+            walker.memory.write_any([address], written, size)
 
 
 def _all(walker: Walker, marks: list[Mark]) -> Mark:
@@ -200,6 +222,8 @@ _PASSING: Final = frozenset(
 _QUIET: Final = frozenset({"rosward.nothing", "rosward.type"})
 
 
+_REGISTERING: Final = frozenset({"rosward.deliver", "rosward.serve"})
+"""They make what will arrive at a callback, which holds nothing of that."""
 _ARRIVING: Final = frozenset({"rosward.arrived", "rosward.message", "rosward.fill"})
 
 
