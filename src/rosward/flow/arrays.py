@@ -78,8 +78,8 @@ _PICTURES: Final[dict[str, tuple[int, ...]]] = {
     f"cv2.{name}": places
     for places, names in {
         (0,): ("VideoCapture.read", "VideoCapture.retrieve"),
-        (1,): ("bitwise_not", "split", "merge", "connectedComponents", "Rodrigues", "convexHull", "boxPoints"),
-        (1, 2, 3): ("connectedComponentsWithStats",),
+        (1,): ("bitwise_not", "split", "merge", "Rodrigues", "convexHull", "boxPoints"),
+        (): ("connectedComponents", "connectedComponentsWithStats"),  # by place, they are told how to connect
         (2,): (
             *("cvtColor", "resize", "blur", "medianBlur", "bitwise_and", "bitwise_or", "bitwise_xor"),
             *("erode", "dilate", "flip", "rotate"),

@@ -136,6 +136,8 @@ def _give_part(walker: Walker, seen: Seen, owner: int, key: object, mark: Mark, 
         inner = next(iter(refs_of(held)))
         if inner not in found.roots and inner not in sources(seen).values() and inner not in _built(seen):
             write(walker, Mark(0, frozenset((inner,))), found)
+        elif found.mask:  # of a copy of what was made of a pair of braces, the value says what is in it
+            walker.memory.write_any([inner], Mark(found.mask), found.mask)
         found = Mark(found.mask, frozenset((inner,)))
     walker.memory.write(frozenset((owner,)), key, found)
 

@@ -203,7 +203,8 @@ def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
     target, source = _through(walker, body.registers[op.slot], seen), body.registers[op.src]
     given = None
     if is_busy(seen):
-        places = frozenset(slot_of(r)[0] if is_slot(r) else r for r in target.roots)
+        converts = bool(seen.made) or not all(map(is_slot, target.roots))
+        places = frozenset[Root]() if converts else frozenset(slot_of(r)[0] for r in target.roots)
         given = acts(walker, op, body, seen, [target, source], certain=True, done=places)
     mark = value(walker, source)
     written = copied(mark, seen).under(under_choice(body, target))

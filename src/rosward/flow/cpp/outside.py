@@ -126,10 +126,15 @@ def _made(walker: Walker, seen: Seen, written: Mark, size: int, done: frozenset[
     for address, site in seen.made.items():
         if (_is_copy(site) and site[1] not in seen.made) or address in begun:
             continue
-        if address in done:
+        if address in done and not _wraps(site):
             walker.memory.write_any([address], Mark(brought))
         else:
             walker.memory.write_any([address], written, size)
+
+
+def _wraps(site: object) -> bool:
+    """Whether what is made of a value holds another object: a `std::optional`, or a variant."""
+    return isinstance(site, tuple) and getattr(site[0], "name", "") in ("std.optional", "std.variant", "std.any")
 
 
 def _all(walker: Walker, marks: list[Mark]) -> Mark:

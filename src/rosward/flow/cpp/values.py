@@ -118,7 +118,7 @@ def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root]
         if but is not None and (source is None or address in but):
             continue
         if source is not None and source != address:
-            memory.place(address, _renamed(memory.of(source), fresh))
+            memory.place(address, _with_parts(walker, address, _renamed(memory.of(source), fresh), seen))
         elif isinstance(site, tuple) and site[:1] == ("pair",):  # an entry of a map
             held = value(walker, everything)
             first = Mark(everything.mask | keys(walker, slots(everything)))
@@ -131,6 +131,20 @@ def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root]
 
 _MERGED: Final = ("copy of several", "opaque", MESSAGE)
 """What objects are made of of which it is not told apart what is in them."""
+
+
+def _with_parts(walker: Walker, address: int, content: Content, seen: Seen) -> Content:
+    """The content of a copy, which leads to the objects that were copied with it as its parts."""
+    record = walker.shape.record(address)
+    if record is None or record.kind != "instance":
+        return content
+    slots = dict(content.slots)
+    for name, held in record.attrs.items():
+        if held.__class__ is Ref and name not in slots:
+            parts = frozenset[Root](r for r in refs_of(held) if r in seen.made)
+            if parts:
+                slots[name] = Mark(content.base, parts)
+    return content.with_slots(slots) if len(slots) > len(content.slots) else content
 
 
 def _renamed(content: Content, fresh: dict[int, int]) -> Content:
