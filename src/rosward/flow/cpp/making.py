@@ -203,13 +203,20 @@ def _one_member(
     everything = NOTHING
     for mark in known.values():
         everything = everything.joined(mark)
+    parts = frozenset[Root](part for field in fields for part in consists_of(walker, field))
+    if not parts.isdisjoint(seen.made):  # what stands in the source now: it may be a member further up
+        copies(walker, seen, everything, but=seen.made.keys() - parts)
     given = calls.callees(walker, body, seen, everything, registers=known, certain=True, only=mine, done=done)
-    if not is_field or (given is not None and fields):
+    if given is not None and (fields or not is_field):
         return
     found = NOTHING
     for mark in known.values():
         found = found.joined(value(walker, mark) if not any(is_slot(r) for r in mark.roots) else _either(walker, mark))
     found = copied(found, seen).under(body.pc)
+    if not is_field:  # a base that is a container
+        mark = Mark(walker.memory.deep(found), found.roots)
+        walker.memory.write_any(this.roots, mark, mark.mask)
+        return
     for root in this.roots:
         if isinstance(root, int):
             if len(known) == 1 or not fields:

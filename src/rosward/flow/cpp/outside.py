@@ -19,6 +19,7 @@ from rosward.flow.cpp.values import (
     keys,
     nameless,
     slots,
+    under_choice,
     value,
 )
 from rosward.flow.marked_cpp import LOGS, MOVES, READS, SIZES, SORTS, STORES, STREAMS, is_setter
@@ -71,7 +72,7 @@ def natives(
     brought = _brought(walker, body, seen, names, marks, constants, near, whole)
     content = near if names and all(n in STORES for n in last) else whole
     if last == ["reset"]:  # what it held until then is not in it any more
-        content = whole = _all(walker, marks[1:])
+        content = whole = _all(walker, marks[1:]).under(under_choice(body, marks[0]))
     written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
     if not any(n in _ARRIVING or n in _REGISTERING for n in names):
         _made(walker, seen, written, body.pc | near.mask, done, brought)

@@ -17,6 +17,8 @@ from rosward.flow.stored.content import Content
 from rosward.models.cpp.values.typed import MESSAGE
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from rosward.engine.running.seen import Seen
     from rosward.flow.body import Body
     from rosward.flow.walker import Walker
@@ -109,7 +111,7 @@ def sources(seen: Seen) -> dict[int, int]:
 _NO_COPIES: Final[dict[int, int]] = {}
 
 
-def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root] | None = None) -> None:
+def copies(walker: Walker, seen: Seen, everything: Mark, *, but: Collection[Root] | None = None) -> None:
     """New objects stand here: copies with what is in their source, others empty. `but`: of copies those only that are not among these."""
     memory = walker.memory
     fresh = sources(seen)
