@@ -345,6 +345,7 @@ CALLED: Final = """
 import rclpy
 import pyaudio
 import sounddevice
+import websocket
 from pynput import keyboard
 from rclpy.node import Node
 from std_msgs.msg import String
@@ -363,6 +364,44 @@ class Robot(Node):
 rclpy.init()
 rclpy.spin(Robot())
 """
+
+
+@pytest.mark.parametrize(
+    "registers",
+    [
+        "websocket.WebSocketApp('ws://x', on_message=self.on_it).run_forever()",
+        "websocket.WebSocketApp('ws://x', None, None, self.on_it).run_forever()",
+        "self.web = websocket.WebSocketApp('ws://x'); self.web.on_message = self.on_it; self.web.run_forever()",
+    ],
+)
+def test_what_arrives_at_a_web_socket_comes_from_the_network(registers: str, tmp_path: Path) -> None:
+    said = said_by(tmp_path, CALLED.format(registers), "topic:/out")
+    assert "network" in said.data
+
+
+@pytest.mark.parametrize(
+    ("does", "source"),
+    [
+        (
+            "ready, _, _ = select.select([self.socket], [], [], 1.0)\nfor each in ready:\n    self.say(float(each.recv(9)))",
+            "network",
+        ),
+        (
+            "ready, _, _ = select.select([self.port], [], [], 1.0)\nif ready:\n    self.say(float(ready[0].readline()))",
+            "device",
+        ),
+        ("ready, _, _ = select.select([sys.stdin], [], [], 1.0)\nself.say(float(len(ready)))", "stdin"),
+        ("import cv2\nimage = numpy.zeros((3, 3))\ncv2.VideoCapture(0).read(image)\nself.say(image.sum())", "device"),
+    ],
+    ids=["socket", "port", "terminal", "camera into a picture"],
+)
+def test_what_is_waited_for_or_filled_is_read_from_there(does: str, source: str, tmp_path: Path) -> None:
+    program = tmp_path / "robot.py"
+    _write(program, "import select, sys, numpy\n" + does)
+    said = said_of(reported(program), "topic:/out")
+    assert said is not None
+    assert source in said.data
+    assert said.data <= {source}
 
 
 @pytest.mark.parametrize(

@@ -74,6 +74,28 @@ _INTO: Final[dict[str, int]] = {
     **dict.fromkeys(("clip", "cumsum", "cumprod", "sum", "prod", "mean", "std", "var", "take", "compress"), 3),
 }
 """Functions that write into what they are given in this place, counted from 0."""
+_PICTURES: Final[dict[str, tuple[int, ...]]] = {
+    f"cv2.{name}": places
+    for places, names in {
+        (0,): ("VideoCapture.read", "VideoCapture.retrieve"),
+        (1,): ("bitwise_not", "split", "merge", "Rodrigues", "convexHull", "boxPoints"),
+        (): ("connectedComponents", "connectedComponentsWithStats"),  # by place, they are told how to connect
+        (2,): (
+            *("cvtColor", "resize", "blur", "medianBlur", "bitwise_and", "bitwise_or", "bitwise_xor"),
+            *("erode", "dilate", "flip", "rotate"),
+        ),
+        (3,): ("inRange", "GaussianBlur", "Canny", "warpPerspective", "approxPolyDP"),
+        (3, 4): ("findContours",),
+        (4,): ("threshold", "HoughLines", "HoughLinesP", "HoughCircles"),
+        (5,): ("addWeighted",),
+    }.items()
+    for name in names
+}
+"""The same of functions on pictures, and cameras."""
+_RESULTS: Final = frozenset(
+    ("out", "dst", "edges", "image", "labels", "stats", "centroids", "mv", "lines", "circles", "hull")
+)
+"""The names of the parameters into which they write."""
 
 
 def viewed(names: Iterable[str], given: Iterable[Mark]) -> frozenset[Root]:
@@ -92,8 +114,12 @@ def change(
     mask: int,
 ) -> None:
     """Functions of these names write what they get to what they get."""
-    changed = [m for a, m in zip(arguments, marks, strict=False) if a.kind == "keyword" and a.name in ("out", "dst")]
+    named = {a.name: m for a, m in zip(arguments, marks, strict=False) if a.kind == "keyword"}
+    changed = [named[n] for n in ("out", "dst", "output") if n in named]
     for name in names:
+        if name in _PICTURES:
+            changed += [marks[place] for place in _PICTURES[name] if place < len(marks)]
+            changed += [m for n, m in named.items() if n in _RESULTS]
         method = name.rpartition(".")[2]
         if method in _CHANGE and not name.startswith(_MODULES):
             changed.append(owner)

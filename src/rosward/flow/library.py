@@ -209,7 +209,7 @@ def unknown(
         given |= perform(walker, name, mask, body.pc)
     root = walker.shape.made(body.activation, op.number, names[0] if names else "")
     walker.memory.renew(root)
-    arrays.change(walker.memory, arguments, names, marks, everything[-1], mask)
+    arrays.change(walker.memory, arguments, names, marks, everything[-1], mask | given)
     known = [walker.shape.said(n) for n in names]
     if known and all(said.releases for said in known):
         cleaned(walker, names[0], mask)

@@ -183,8 +183,8 @@ def _outside(reason: Reason) -> str | None:
     return None
 
 
-_OF_NO_VALUE: Final = frozenset({"set when it runs", "name, set when it runs", "time"})
-"""Which parameters are set is no content of one; what a time holds, the object says."""
+_OF_NO_VALUE: Final = frozenset({"set when it runs", "name, set when it runs", "time", "select.select"})
+"""Which parameters are set is no content of one; what a time holds, the object says, and of what is ready, whoever waits for it."""
 
 
 def _parameter(subject: str) -> str:

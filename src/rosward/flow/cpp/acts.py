@@ -12,7 +12,7 @@ from rosward.flow.cpp.values import (
     copies,
     sources,
 )
-from rosward.flow.marks import NOTHING, Mark
+from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.reading import constant
 from rosward.flow.site import waits
 from rosward.ir import cpp, ops
@@ -31,10 +31,12 @@ def acts(
     pc: int = 0,
     certain: bool = False,
     called: tuple[str, ...] = (),
+    done: frozenset[Root] = frozenset(),
 ) -> Mark | None:
     """All that an operation does besides: what it makes, calls, writes; what that gives. None where it does nothing.
 
     `called`: what is called where it is a method of an object of which only the class is known by name.
+    `done`: into these objects writes whoever asks.
     """
     everything = NOTHING
     for mark in marks:
@@ -50,12 +52,12 @@ def acts(
     passed = (
         marks if result is None else [*marks, result]
     )  # a model writes what it is given, and what callables give it
-    for done in (
-        outside.natives(walker, body, seen, passed, keys),
+    for brought in (
+        outside.natives(walker, body, seen, passed, keys, done=done),
         outside.strange(walker, op.number, body, seen, marks, called),
     ):
-        if done is not None:
-            result = done if result is None else result.joined(done)
+        if brought is not None:
+            result = brought if result is None else result.joined(brought)
     calls.register(walker, body, seen, everything)
     if any(n in _SPINS for n in seen.natives):
         walker.join_beside()

@@ -47,10 +47,12 @@ def callees(
     certain: bool = False,
     only: Callable[[Bound], bool] | None = None,
     done: set[object] | None = None,
+    arrived: frozenset[Root] = frozenset(),
 ) -> Mark | None:
     """Walk through the bodies that an operation runs, in their order; what they return, None where it runs none.
 
     Functions of one name are alternatives. `certain`: each of the others surely runs. `only` and `done`: some of them now, the rest later.
+    `arrived`: what stands in these objects is all that is known of them.
     """
     waiting = walker.bodies_of(seen)
     groups: dict[object, list[tuple[str, list[Bound]]]] = {}
@@ -77,7 +79,7 @@ def callees(
     for group in groups.values():
         ways: list[Way] = []
         for code_key, several in group:
-            ways += _ways(walker, body, seen, several, waiting.get(code_key, ()), known, everything, inside)
+            ways += _ways(walker, body, seen, several, waiting.get(code_key, ()), known, everything, inside, arrived)
         steps.append(ways)
     result: Mark | None = None
     for ways in steps:
@@ -97,8 +99,9 @@ def _ways(
     known: dict[int, Mark],
     everything: Mark,
     pc: int,
+    arrived: frozenset[Root],
 ) -> list[Way]:
-    marks = [given_to(walker, bound, known, everything, pc) for bound in several]
+    marks = [given_to(walker, bound, known, everything, pc, arrived) for bound in several]
     function = several[0].function
     mine = list(activations)
     found: list[Way] = []
@@ -209,7 +212,14 @@ def _declared(walker: Walker, body: Body, function: Function, marks: list[Mark])
     return Mark(mask | _effects(walker, function, marks, body.pc))
 
 
-def given_to(walker: Walker, bound: Bound, known: dict[int, Mark], everything: Mark, pc: int) -> list[Mark]:
+def given_to(
+    walker: Walker,
+    bound: Bound,
+    known: dict[int, Mark],
+    everything: Mark,
+    pc: int,
+    arrived: frozenset[Root] = frozenset(),
+) -> list[Mark]:
     """What is in the parameters of a call."""
     marks = []
     captured: Root = ("captured", bound.function.code.key)
@@ -228,7 +238,7 @@ def given_to(walker: Walker, bound: Bound, known: dict[int, Mark], everything: M
                 mark = mark.joined(Mark(kept.mask, nameless(kept)))
             elif given.kind == "value":
                 mark = mark.joined(Mark(walker.memory.deep(everything), nameless(everything)))
-            elif given.kind == "place" and number >= leading:
+            elif given.kind == "place" and number >= leading and not (given.places and given.places <= arrived):
                 mark = mark.under(_shallow(walker, everything))
         marks.append(mark)
     return marks
@@ -277,7 +287,8 @@ def begin(walker: Walker, activation: Activation, arguments: list[Mark], given: 
         everything = Mark(given)
         for mark in arguments:
             everything = everything.joined(Mark(mark.mask, frozenset(r for r in mark.roots if not isinstance(r, int))))
-        result = callees(walker, body, seen, everything)
+        arrived = frozenset[Root](r for mark in arguments for r in mark.roots if isinstance(r, int))
+        result = callees(walker, body, seen, everything, arrived=arrived)
         return NOTHING if result is None else result.under(pc)
     finally:
         walker.bodies.pop()

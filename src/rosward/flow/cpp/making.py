@@ -136,6 +136,8 @@ def _give_part(walker: Walker, seen: Seen, owner: int, key: object, mark: Mark, 
         inner = next(iter(refs_of(held)))
         if inner not in found.roots and inner not in sources(seen).values() and inner not in _built(seen):
             write(walker, Mark(0, frozenset((inner,))), found)
+        elif found.mask:  # of a copy of what was made of a pair of braces, the value says what is in it
+            walker.memory.write_any([inner], Mark(found.mask), found.mask)
         found = Mark(found.mask, frozenset((inner,)))
     walker.memory.write(frozenset((owner,)), key, found)
 
@@ -163,10 +165,15 @@ def _initialise(walker: Walker, op: cpp.Initialise, body: Body, seen: Seen) -> b
     if not copied_yet:
         copies(walker, seen, everything)
     calls.callees(walker, body, seen, everything, certain=True, done=done)
-    outside.natives(walker, body, seen, [everything])
+    outside.natives(walker, body, seen, [everything], done=_fields(walker, this))
     outside.strange(walker, op.number, body, seen, [everything])
     calls.register(walker, body, seen, everything)
     return None
+
+
+def _fields(walker: Walker, this: Mark) -> frozenset[Root]:
+    """An object with those that are parts of it: into each was written what is given for it, and no more."""
+    return frozenset(part for root in this.roots if isinstance(root, int) for part in consists_of(walker, root))
 
 
 def _one_member(
@@ -178,7 +185,7 @@ def _one_member(
     known: dict[int, Mark],
     done: set[object],
 ) -> None:
-    fields: set[Root] = set()
+    fields: set[int] = set()
     for root in this.roots:
         record = walker.shape.record(root) if isinstance(root, int) else None
         held = None if record is None else record.attrs.get(member.name)
@@ -196,20 +203,28 @@ def _one_member(
     everything = NOTHING
     for mark in known.values():
         everything = everything.joined(mark)
+    parts = frozenset[Root](part for field in fields for part in consists_of(walker, field))
+    if not parts.isdisjoint(seen.made):  # what stands in the source now: it may be a member further up
+        copies(walker, seen, everything, but=seen.made.keys() - parts)
     given = calls.callees(walker, body, seen, everything, registers=known, certain=True, only=mine, done=done)
-    if not is_field or (given is not None and fields):
+    if given is not None and (fields or not is_field):
         return
     found = NOTHING
     for mark in known.values():
         found = found.joined(value(walker, mark) if not any(is_slot(r) for r in mark.roots) else _either(walker, mark))
     found = copied(found, seen).under(body.pc)
+    if not is_field:  # a base that is a container
+        mark = Mark(walker.memory.deep(found), found.roots)
+        walker.memory.write_any(this.roots, mark, mark.mask)
+        return
     for root in this.roots:
         if isinstance(root, int):
             if len(known) == 1 or not fields:
                 _give_part(walker, seen, root, member.name, found, parts_of(walker, root).get(member.name, NONE))
             else:
+                mark = Mark(walker.memory.deep(found), found.roots)
                 for inner in fields:
-                    walker.memory.write_any([inner], Mark(walker.memory.deep(found), found.roots))
+                    walker.memory.write_any(consists_of(walker, inner), mark, mark.mask)
 
 
 def _either(walker: Walker, mark: Mark) -> Mark:

@@ -201,7 +201,11 @@ def _address_of(walker: Walker, op: cpp.AddressOf, body: Body, seen: Seen) -> No
 
 def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
     target, source = _through(walker, body.registers[op.slot], seen), body.registers[op.src]
-    given = acts(walker, op, body, seen, [target, source], certain=True) if is_busy(seen) else None
+    given = None
+    if is_busy(seen):
+        converts = bool(seen.made) or not all(map(is_slot, target.roots))
+        places = frozenset[Root]() if converts else frozenset(slot_of(r)[0] for r in target.roots)
+        given = acts(walker, op, body, seen, [target, source], certain=True, done=places)
     mark = value(walker, source)
     written = copied(mark, seen).under(under_choice(body, target))
     before = value(walker, target)
@@ -271,8 +275,9 @@ def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen:
     else:
         function = body.registers[op.func]
         pc = demoted(value(walker, function).mask)
-        if not seen.effects and (nameless(function) or slots(function) or function.mask & ~body.pc):
-            marks = [*marks, Mark(function.mask, nameless(function) | slots(function))]
+        held = slots(function) | (nameless(function) if seen.strange or not seen.natives else frozenset())
+        if not seen.effects and (held or function.mask & ~body.pc):  # a model in code holds nothing
+            marks = [*marks, Mark(function.mask, held)]
     given = acts(walker, op, body, seen, marks, pc=pc, called=called)
     if given is None:
         given = Mark(walker.memory.deep(value(walker, operands(body, reads(op)))))
@@ -297,6 +302,11 @@ def _methods(walker: Walker, owner: Mark, method: str, seen: Seen) -> tuple[str,
     return tuple(sorted(f"{name}.{method}" for name in named))
 
 
+def _objects(mark: Mark) -> frozenset[Root]:
+    """The objects of a value that have an address."""
+    return frozenset(r for r in mark.roots if isinstance(r, int))
+
+
 def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     """`stream << value` among others."""
     left, right = body.registers[op.left], body.registers[op.right]
@@ -306,8 +316,7 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     if op.operator == "<<" and kind:
         if kind != "text":
             out(walker, kind, mask)
-        if kind != "stdout":
-            walker.memory.write_any([r for r in held.roots if isinstance(r, int)] or slots(left), Mark(mask), mask)
+        outside.written_to(walker, kind, Mark(0, _objects(held) or slots(left)), mask)
         body.registers[op.dst] = Mark(left.mask, left.roots)
         return
     if op.operator == ">>" and kind == "file":

@@ -19,12 +19,13 @@ from rosward.flow.cpp.values import (
     keys,
     nameless,
     slots,
+    under_choice,
     value,
 )
 from rosward.flow.marked_cpp import LOGS, MOVES, READS, SIZES, SORTS, STORES, STREAMS, is_setter
 from rosward.flow.marks import HANDLED, NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.native import parameters
-from rosward.flow.outside import cleaned, out
+from rosward.flow.outside import cleaned, comes_in, out
 from rosward.flow.reading import arising
 from rosward.flow.stored.content import Content
 
@@ -33,14 +34,21 @@ if TYPE_CHECKING:
 
 
 def natives(
-    walker: Walker, body: Body, seen: Seen, marks: list[Mark], constants: tuple[object, ...] = ()
+    walker: Walker,
+    body: Body,
+    seen: Seen,
+    marks: list[Mark],
+    constants: tuple[object, ...] = (),
+    *,
+    done: frozenset[Root] = frozenset(),
 ) -> Mark | None:
-    """What models in code give, and what they write; None where none runs."""
-    mine = [m for m, site in seen.made.items() if not _is_copy(site) or site[1] in seen.made]
-    wrote = seen.wrote - set(seen.made)
+    """What models in code give, and what they write; None where none runs.
+
+    `done`: into these objects was written what they are given, but for what comes from outside.
+    """
+    wrote = {a for a in seen.wrote if a not in seen.made and a not in done}
     if not (seen.natives or wrote):
         return None
-    memory = walker.memory
     near, passed = Mark(body.pc), frozenset[Root]()
     for mark in marks:
         near = near.joined(value(walker, mark))
@@ -57,8 +65,40 @@ def natives(
     is_size = bool(names) and all(n in SIZES for n in last)
     if is_size:
         near = whole = near.under(walker.memory.size(near.roots))
+    elif last == ["is_open"]:  # what was written there does not matter
+        near = whole = near.under(_opened(walker, near))
     elif not own and not (names and all(n in STORES or (simple and n in READS) for n in last)):
         whole = Mark(walker.memory.deep(near), near.roots | passed)
+    brought = _brought(walker, body, seen, names, marks, constants, near, whole)
+    content = near if names and all(n in STORES for n in last) else whole
+    if last == ["reset"]:  # what it held until then is not in it any more
+        content = whole = _all(walker, marks[1:]).under(under_choice(body, marks[0]))
+    written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
+    if not any(n in _ARRIVING or n in _REGISTERING for n in names):
+        _made(walker, seen, written, body.pc | near.mask, done, brought)
+    _written(walker, marks, seen, wrote, written, body)
+    if not MOVES.isdisjoint(last):
+        _moved(walker, wrote, near if seen.bound or SORTS.isdisjoint(last) else written)
+    if own:
+        passed_on = Mark(whole.mask, nameless(whole)) if not _PASSING.isdisjoint(names) else NOTHING
+        return passed_on.under(body.pc | brought | arising(walker, seen))
+    if seen.bound and not names:  # what bodies give says it
+        return None
+    mask = whole.mask | brought | arising(walker, seen)
+    return Mark(mask, nameless(whole))
+
+
+def _brought(
+    walker: Walker,
+    body: Body,
+    seen: Seen,
+    names: list[str],
+    marks: list[Mark],
+    constants: tuple[object, ...],
+    near: Mark,
+    whole: Mark,
+) -> int:
+    """What models in code bring in from outside; what they send out is sent."""
     brought = 0
     for name in names:
         if name.startswith(LOGS):
@@ -68,6 +108,8 @@ def natives(
         kind = STREAMS.get(name.rpartition(".")[0], kind)
         if kind not in ("", "text"):
             out(walker, kind, whole.mask)
+        if name == "std.getline" and (comes := stream(walker, near) or "stdin") != "text":
+            brought |= comes_in(walker, comes)
         if name.endswith(".reset"):  # what nobody holds any more runs no more
             for root in near.roots:
                 library.stop(walker, root, body.pc | demoted(near.mask))
@@ -76,20 +118,32 @@ def natives(
             brought |= _arrives(walker, body, seen, name)
         if name.startswith("rosward."):
             brought |= _parameter(walker, body, seen, name, marks, constants)
-    content = near if names and all(n in STORES for n in last) else whole
-    written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
-    if not any(n in _ARRIVING for n in names):
-        for address in mine:
-            if address not in {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}:
-                memory.write_any([address], written, body.pc | near.mask)
-    _written(walker, marks, seen, wrote, written, body)
-    if not MOVES.isdisjoint(last):
-        _moved(walker, wrote, near if seen.bound or SORTS.isdisjoint(last) else written)
-    if own:
-        passed_on = Mark(whole.mask, nameless(whole)) if not _PASSING.isdisjoint(names) else NOTHING
-        return passed_on.under(body.pc | brought | arising(walker, seen))
-    mask = whole.mask | brought | arising(walker, seen)
-    return Mark(mask, nameless(whole))
+    return brought
+
+
+def _made(walker: Walker, seen: Seen, written: Mark, size: int, done: frozenset[Root], brought: int) -> None:
+    """What is made holds what it is made of."""
+    begun = {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}
+    for address, site in seen.made.items():
+        if (_is_copy(site) and site[1] not in seen.made) or address in begun:
+            continue
+        if address in done and not _wraps(site):
+            walker.memory.write_any([address], Mark(brought))
+        else:
+            walker.memory.write_any([address], written, size)
+
+
+def _wraps(site: object) -> bool:
+    """Whether what is made of a value holds another object: a `std::optional`, or a variant."""
+    return isinstance(site, tuple) and getattr(site[0], "name", "") in ("std.optional", "std.variant", "std.any")
+
+
+def _all(walker: Walker, marks: list[Mark]) -> Mark:
+    """The values of several registers, with all that they lead to."""
+    found = NOTHING
+    for mark in marks:
+        found = found.joined(value(walker, mark))
+    return Mark(walker.memory.deep(found), found.roots)
 
 
 def _parameter(
@@ -174,6 +228,8 @@ _PASSING: Final = frozenset(
 _QUIET: Final = frozenset({"rosward.nothing", "rosward.type"})
 
 
+_REGISTERING: Final = frozenset({"rosward.deliver", "rosward.serve"})
+"""They make what will arrive at a callback, which holds nothing of that."""
 _ARRIVING: Final = frozenset({"rosward.arrived", "rosward.message", "rosward.fill"})
 
 
@@ -226,8 +282,23 @@ def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:
 
 _FEW: Final = 12
 """Of more objects, those that code nobody knows gets hold of are one, if libraries made them."""
+_OPENED, _WRITTEN = "opened", "written"
+"""Under which keys of a stream stands which file it leads to, and what was written to that."""
 _WRITES: Final = frozenset(f"std.stringstream.{name}" for name in ("write", "put"))
 """How streams are written to but by `<<`."""
+
+
+def written_to(walker: Walker, kind: str, place: Mark, mask: int) -> None:
+    """What a stream is given stays in it; of one that leads to a file, it is told apart from what says which file that is."""
+    if kind == "file" and not any(map(is_slot, place.roots)):
+        walker.memory.write(place.roots, _WRITTEN, walker.memory.read(place.roots, _WRITTEN).under(mask))
+    elif kind != "stdout":
+        walker.memory.write_any(place.roots, Mark(mask), mask)
+
+
+def _opened(walker: Walker, mark: Mark) -> int:
+    """Which file streams lead to."""
+    return comes_in(walker, "file") | walker.memory.read(mark.roots, _OPENED).mask
 
 
 def stream(walker: Walker, mark: Mark) -> str:

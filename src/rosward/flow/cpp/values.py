@@ -17,6 +17,8 @@ from rosward.flow.stored.content import Content
 from rosward.models.cpp.values.typed import MESSAGE
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from rosward.engine.running.seen import Seen
     from rosward.flow.body import Body
     from rosward.flow.walker import Walker
@@ -109,7 +111,7 @@ def sources(seen: Seen) -> dict[int, int]:
 _NO_COPIES: Final[dict[int, int]] = {}
 
 
-def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root] | None = None) -> None:
+def copies(walker: Walker, seen: Seen, everything: Mark, *, but: Collection[Root] | None = None) -> None:
     """New objects stand here: copies with what is in their source, others empty. `but`: of copies those only that are not among these."""
     memory = walker.memory
     fresh = sources(seen)
@@ -118,7 +120,7 @@ def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root]
         if but is not None and (source is None or address in but):
             continue
         if source is not None and source != address:
-            memory.place(address, _renamed(memory.of(source), fresh))
+            memory.place(address, _with_parts(walker, address, _renamed(memory.of(source), fresh), seen))
         elif isinstance(site, tuple) and site[:1] == ("pair",):  # an entry of a map
             held = value(walker, everything)
             first = Mark(everything.mask | keys(walker, slots(everything)))
@@ -131,6 +133,20 @@ def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root]
 
 _MERGED: Final = ("copy of several", "opaque", MESSAGE)
 """What objects are made of of which it is not told apart what is in them."""
+
+
+def _with_parts(walker: Walker, address: int, content: Content, seen: Seen) -> Content:
+    """The content of a copy, which leads to the objects that were copied with it as its parts."""
+    record = walker.shape.record(address)
+    if record is None or record.kind != "instance":
+        return content
+    slots = dict(content.slots)
+    for name, held in record.attrs.items():
+        if held.__class__ is Ref and name not in slots:
+            parts = frozenset[Root](r for r in refs_of(held) if r in seen.made)
+            if parts:
+                slots[name] = Mark(content.base, parts)
+    return content.with_slots(slots) if len(slots) > len(content.slots) else content
 
 
 def _renamed(content: Content, fresh: dict[int, int]) -> Content:

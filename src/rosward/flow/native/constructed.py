@@ -72,3 +72,21 @@ def fill(call: NativeCall) -> Mark:
                 memory.write(roots, names[key] if isinstance(key, int) else key, found.under(call.pc))
             memory.write_any(roots, content.any.under(content.base | call.pc | mark.mask))
     return Mark(call.pc)
+
+
+def initialise(call: NativeCall) -> Mark:
+    """The `__init__` that `@dataclass` makes: the fields of the first argument hold the others; it gives nothing."""
+    memory, roots = call.walker.memory, call.mark(0).roots
+    names, number = call.walker.shape.fields(roots), 0
+    given = list(call.given())
+    for argument, mark in given[1:] if len(given) == len(call.marks) else given:  # a bound method is given none
+        written = mark.under(call.pc)
+        if argument.kind == "keyword":
+            memory.set_attribute(roots, argument.name, written)
+        elif argument.kind == "positional" and 0 <= number < len(names):
+            memory.write(roots, names[number], written)
+            number += 1
+        else:
+            memory.write_any(roots, Mark(memory.deep(written), written.roots | memory.read_all(written.roots).roots))
+            number = -1
+    return Mark(call.pc)

@@ -50,7 +50,7 @@ def _extend(call: NativeCall) -> Mark:
         for each in several:
             for key, mark in each.items():
                 if isinstance(key, str):
-                    slots[key] = mark.under(call.pc).joined(slots.get(key, NOTHING))
+                    slots[key] = mark.under(call.pc | argument.mask).joined(slots.get(key, NOTHING))
         if slots:
             perhaps = {key for key in slots if any(key not in each for each in several)}
             memory.write_each(call.mark(0).roots, slots, perhaps)
@@ -62,11 +62,15 @@ def _extend(call: NativeCall) -> Mark:
 
 
 def _is_keyed(call: NativeCall, mark: Mark) -> bool:
-    """Whether all that a value holds stands under texts."""
-    contents = [call.walker.memory.of(r) for r in mark.roots]
-    return bool(contents) and all(
-        c.any == NOTHING and not c.base and all(isinstance(k, str) for k in c.slots) for c in contents
-    )
+    """Whether all that a value holds stands under texts; of a list, or an object of a library, in which nothing is told apart, it does not."""
+    memory, shape = call.walker.memory, call.walker.shape
+    for root in mark.roots:
+        content = memory.of(root)
+        if content.any != NOTHING or content.base or not all(isinstance(k, str) for k in content.slots):
+            return False
+        if not (content.slots or (isinstance(root, int) and shape.kind(root) == "dict")):
+            return False
+    return bool(mark.roots)
 
 
 def _take(call: NativeCall) -> Mark:

@@ -19,8 +19,9 @@ from rosward.engine.running.seen import refs_of
 from rosward.flow import implicit, library
 from rosward.flow.marks import CANCELLED, FUNCTIONS, HANDLED, NOTHING, Mark, decided, demoted, of_library
 from rosward.flow.native import containers, frames, parameters, partials
-from rosward.flow.native.constructed import attributes, fill
+from rosward.flow.native.constructed import attributes, fill, initialise
 from rosward.flow.native.native_call import NativeCall
+from rosward.flow.native.waited import select
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, of_classes, owners_of
 from rosward.flow.site import callees
@@ -391,7 +392,9 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     "inspect.stack": frames.stack,
     "sys._getframe": frames.any_of,
     "memoryview": _view,
+    "select.select": select,
     "collections._fill": fill,
+    **dict.fromkeys(("dataclasses.init", "dataclasses.init_alone"), initialise),
     "contextlib._end": _throw_into,
     "_rosward.message": _arrives,
 }

@@ -126,7 +126,6 @@ class high_resolution_clock {[[rosward::source("clock")]] static auto now();};
 class [[rosward::source("random")]] random_device {};
 [[rosward::source("env")]] char * getenv();
 [[rosward::source("env")]] char * secure_getenv();
-[[rosward::source("stdin")]] auto getline();
 [[rosward::source("stdin")]] int getchar();
 namespace cin
 {
