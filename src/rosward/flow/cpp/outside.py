@@ -102,7 +102,7 @@ def _brought(
     brought = 0
     for name in names:
         if name.startswith(LOGS):
-            _log(walker, body, marks)
+            _log(walker, body, marks if name.startswith("RCUTILS_") else marks[1:])  # others get a logger first
         brought |= library.perform(walker, name, whole.mask, body.pc)
         kind = stream(walker, near) if name in _WRITES else ""
         kind = STREAMS.get(name.rpartition(".")[0], kind)
@@ -272,10 +272,9 @@ def _kind(body: Body) -> str:
 
 
 def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:
-    """A line of a log: of all arguments but the logger."""
-
+    """A line of a log, of all that it is given."""
     mask = body.pc
-    for mark in marks[1:]:
+    for mark in marks:
         mask |= walker.memory.deep(value(walker, mark))
     out(walker, "log", mask)
 
