@@ -17,7 +17,7 @@ from rosward.domain.heap import KIND
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.calls.alternatives import each_apart
-from rosward.engine.python import modules
+from rosward.engine.python import descriptors, modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
 from rosward.engine.python.functions import kept_table, of_function, of_partial
 from rosward.engine.python.members import bind, classes_of, is_computed, lookup, of_native_class, type_name
@@ -69,7 +69,7 @@ def load(machine: Engine, value: Value, name: str) -> Value:
             return of_native_class(machine, base, name) or of_exception_class(machine, base, name)
         return of_class(base, name) or Native(f"{base}.{name}")
     if value.__class__ is Descriptor:
-        return Partial(Native(f"descriptor.{name}"), (value,), ())
+        return descriptors.load(machine, value, name)
     if value.__class__ is Partial and name in ("func", "args", "keywords", "__call__"):
         return of_partial(machine, value, name)
     return _of_builtin(machine, value, name)
@@ -265,11 +265,9 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
             return kept_table(machine, cls, written.items())
     found = lookup(machine, cls, name)
     if found is not None:
-        if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):
-            return found.getter if found.kind == "staticmethod" else BoundMethod(cls, found.getter)
         if found.__class__ is Native and found.name in _CLASS_METHODS:
             return BoundMethod(cls, machine.load_attr(machine.load_module("_lazy"), _CLASS_METHODS[found.name]))
-        return bind(machine, found, NONE, cls) if found.__class__ is Ref else found
+        return descriptors.through_class(machine, found, cls)
     if meta is not None:
         return bind(machine, meta, cls, metaclass_of(machine, cls))
     own = _of_every_class(machine, cls, name) if name.startswith("__") or name == "mro" else None
@@ -362,8 +360,8 @@ def _through_super(machine: Engine, found: Value, receiver: Value, cls: Value, n
     """What an attribute of a base becomes when it is read through `super()`."""
     if name == "__new__":  # a static method, without being called one
         return found.getter if found.__class__ is Descriptor else found
-    if receiver is cls and found.__class__ is Function:
-        return found
+    if receiver is cls and found.__class__ in (Function, Descriptor, Ref):
+        return descriptors.through_class(machine, found, cls)
     return bind(machine, found, receiver, cls)
 
 
