@@ -21,7 +21,7 @@ from rosward.engine.python import descriptors, modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
 from rosward.engine.python.functions import kept_table, of_function, of_partial
 from rosward.engine.python.members import bind, classes_of, is_computed, lookup, of_native_class, type_name
-from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
+from rosward.engine.python.metaclass_of import TYPE, in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
 from rosward.models import message_fields
 from rosward.models.interfaces import INTERFACE_NAMES, interface_name
@@ -279,6 +279,8 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
     fallback = in_metaclass(machine, cls, "__getattr__")
     if fallback is not None:
         return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
+    if name in _OF_TYPE and TYPE in cls.mro:
+        return Native(f"type.{name}")
     if name.startswith("__") and name != "__doc__" and name in vars(object):
         return Native(f"object.{name}")
     if hasattr(type, name) or is_open(machine, cls):
@@ -336,7 +338,7 @@ def _of_super(machine: Engine, value: Super, name: str) -> Value:
                 return join(perhaps, Unknown(outside.reasons))
             return join(perhaps, Partial(External(f"{getattr(outside, 'name', '')}.{name}"), (), ()))
         elif base.__class__ is Native:
-            if base.name == "builtins.type" and name in _OF_TYPE:
+            if base == TYPE and name in _OF_TYPE:
                 made = Native(f"type.{name}")
                 return made if name == "__new__" else BoundMethod(receiver, made)
             inherited = of_native_class(machine, base.name, name)

@@ -227,7 +227,7 @@ def _of_type(machine: Engine, name: str, args: Arguments, keywords: Keywords) ->
     if name == "type.__new__" and len(args) >= 4:
         return classes.make_by_call(machine, args[0], args[1:], known)
     if name == "type" and len(args) == 3:
-        return classes.make_by_call(machine, Native("builtins.type"), args, known)
+        return classes.make_by_type(machine, args, known)
     if name == "type.__call__" and args and args[0].__class__ is Class:
         return classes.make_instance(machine, args[0], args[1:], keywords)
     if name == "type.__init__":
