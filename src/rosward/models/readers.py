@@ -19,6 +19,7 @@ from rosward.source.standard_library import STANDARD_LIBRARY
 
 _WINDOWS: Final = {
     "PyQt4", "PyQt5", "PyQt6", "PySide2", "PySide6", "python_qt_binding", "tkinter", "Tkinter", "customtkinter", "pygame",
+    "pyqtgraph",
 }  # fmt: skip
 """What draws windows. `QApplication(sys.argv)` takes out the words that Qt knows, of which none is for ROS."""
 
@@ -51,7 +52,7 @@ _NO_NODES: Final = _FOREIGN | {
     "librosa", "loguru", "lxml", "mavsdk", "mcap", "mediapipe", "minimalmodbus", "mss", "mujoco", "mysql", "neopixel", "netifaces", "networkx",
     "nicegui", "numba", "odrive", "ollama", "openai", "osqp", "paho", "paramiko", "pexpect", "picamera", "picamera2", "pigpio", "pinocchio",
     "playsound", "plotly", "PyKDL", "prompt_toolkit", "psutil", "psycopg2", "pupil_apriltags", "pyaudio", "pyautogui", "pybullet", "pycuda",
-    "pydantic", "pydub", "pymavlink", "pymodbus", "pymongo", "pynmea2", "pynput", "pyproj", "pyqtgraph", "pyrealsense2", "pyttsx3", "pytz",
+    "pydantic", "pydub", "pymavlink", "pymodbus", "pymongo", "pynmea2", "pynput", "pyproj", "pyrealsense2", "pyttsx3", "pytz",
     "pyudev", "pyzbar", "rclpy_message_converter", "readchar", "redis", "rich", "rosbag", "rosbags", "rospy",
     "ruamel", "shapely", "simple_pid", "slack_sdk", "smach", "socketio",
     "sounddevice", "soundfile", "spatialmath", "speech_recognition", "sqlalchemy", "sshkeyboard", "stable_baselines3", "starlette",

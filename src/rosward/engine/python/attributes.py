@@ -17,11 +17,11 @@ from rosward.domain.heap import KIND
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.calls.alternatives import each_apart
-from rosward.engine.python import modules
+from rosward.engine.python import descriptors, modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
 from rosward.engine.python.functions import kept_table, of_function, of_partial
 from rosward.engine.python.members import bind, classes_of, is_computed, lookup, of_native_class, type_name
-from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
+from rosward.engine.python.metaclass_of import TYPE, in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
 from rosward.models import message_fields
 from rosward.models.interfaces import INTERFACE_NAMES, interface_name
@@ -69,7 +69,7 @@ def load(machine: Engine, value: Value, name: str) -> Value:
             return of_native_class(machine, base, name) or of_exception_class(machine, base, name)
         return of_class(base, name) or Native(f"{base}.{name}")
     if value.__class__ is Descriptor:
-        return Partial(Native(f"descriptor.{name}"), (value,), ())
+        return descriptors.load(machine, value, name)
     if value.__class__ is Partial and name in ("func", "args", "keywords", "__call__"):
         return of_partial(machine, value, name)
     return _of_builtin(machine, value, name)
@@ -265,11 +265,9 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
             return kept_table(machine, cls, written.items())
     found = lookup(machine, cls, name)
     if found is not None:
-        if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):
-            return found.getter if found.kind == "staticmethod" else BoundMethod(cls, found.getter)
         if found.__class__ is Native and found.name in _CLASS_METHODS:
             return BoundMethod(cls, machine.load_attr(machine.load_module("_lazy"), _CLASS_METHODS[found.name]))
-        return bind(machine, found, NONE, cls) if found.__class__ is Ref else found
+        return descriptors.through_class(machine, found, cls)
     if meta is not None:
         return bind(machine, meta, cls, metaclass_of(machine, cls))
     own = _of_every_class(machine, cls, name) if name.startswith("__") or name == "mro" else None
@@ -281,6 +279,8 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
     fallback = in_metaclass(machine, cls, "__getattr__")
     if fallback is not None:
         return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
+    if name in _OF_TYPE and TYPE in cls.mro:
+        return Native(f"type.{name}")
     if name.startswith("__") and name != "__doc__" and name in vars(object):
         return Native(f"object.{name}")
     if hasattr(type, name) or is_open(machine, cls):
@@ -338,7 +338,7 @@ def _of_super(machine: Engine, value: Super, name: str) -> Value:
                 return join(perhaps, Unknown(outside.reasons))
             return join(perhaps, Partial(External(f"{getattr(outside, 'name', '')}.{name}"), (), ()))
         elif base.__class__ is Native:
-            if base.name == "builtins.type" and name in _OF_TYPE:
+            if base == TYPE and name in _OF_TYPE:
                 made = Native(f"type.{name}")
                 return made if name == "__new__" else BoundMethod(receiver, made)
             inherited = of_native_class(machine, base.name, name)
@@ -362,8 +362,8 @@ def _through_super(machine: Engine, found: Value, receiver: Value, cls: Value, n
     """What an attribute of a base becomes when it is read through `super()`."""
     if name == "__new__":  # a static method, without being called one
         return found.getter if found.__class__ is Descriptor else found
-    if receiver is cls and found.__class__ is Function:
-        return found
+    if receiver is cls and found.__class__ in (Function, Descriptor, Ref):
+        return descriptors.through_class(machine, found, cls)
     return bind(machine, found, receiver, cls)
 
 

@@ -19,7 +19,16 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function,
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.calls import activation
 from rosward.engine.calls.alternatives import each_apart
-from rosward.engine.python import assignment, attributes, classes, decorating, members, native_calls, object_methods
+from rosward.engine.python import (
+    assignment,
+    attributes,
+    classes,
+    decorating,
+    descriptors,
+    members,
+    native_calls,
+    object_methods,
+)
 from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.running.catcher import LIBRARY
@@ -207,7 +216,7 @@ def call_native(machine: Engine, name: str, args: Arguments, keywords: Keywords)
     if short.endswith(".__new__") and args and args[0].__class__ is Class:
         return classes.new_instance(machine, args[0], args[1:], keywords)
     if short.startswith("descriptor."):
-        return _descriptor(args, short)
+        return descriptors.call(machine, short, args)
     escape(machine, (*args, *keywords.values()), short, Native(name))
     return machine.unknown(Cause.CALL, short)
 
@@ -218,7 +227,7 @@ def _of_type(machine: Engine, name: str, args: Arguments, keywords: Keywords) ->
     if name == "type.__new__" and len(args) >= 4:
         return classes.make_by_call(machine, args[0], args[1:], known)
     if name == "type" and len(args) == 3:
-        return classes.make_by_call(machine, Native("builtins.type"), args, known)
+        return classes.make_by_type(machine, args, known)
     if name == "type.__call__" and args and args[0].__class__ is Class:
         return classes.make_instance(machine, args[0], args[1:], keywords)
     if name == "type.__init__":
@@ -226,18 +235,6 @@ def _of_type(machine: Engine, name: str, args: Arguments, keywords: Keywords) ->
     if name == "type.__prepare__":
         return machine.new_dict({})
     return None
-
-
-def _descriptor(args: Arguments, name: str) -> Value:
-    """`@x.getter`, `@x.setter`, `@x.deleter`."""
-    found, function = args[0], args[1] if len(args) > 1 else NONE
-    if found.__class__ is Descriptor and name == "descriptor.getter":
-        return Descriptor(found.kind, function, found.setter, found.deleter)
-    if found.__class__ is Descriptor and name == "descriptor.setter":
-        return Descriptor(found.kind, found.getter, function, found.deleter)
-    if found.__class__ is Descriptor and name == "descriptor.deleter":
-        return Descriptor(found.kind, found.getter, found.setter, function)
-    return found
 
 
 def _super(machine: Engine, args: Arguments) -> Value:

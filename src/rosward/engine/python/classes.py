@@ -13,6 +13,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import abstract, attributes, contents, hidden_fields, members, metaclasses, subclass_hooks
+from rosward.engine.python.metaclass_of import TYPE
 from rosward.engine.python.own_methods import own_methods
 from rosward.engine.running.frame import Frame, own_frame
 from rosward.engine.unknown.escape import BY_BASE, BY_WINDOW, name_of, tell_type
@@ -117,8 +118,7 @@ def make_by_call(machine: Engine, meta: Value, args: tuple[Value, ...], keywords
     """`type.__new__(metaclass, name, bases, names)`: the class whose body was just run, or one without a body."""
     name, bases, names = args[:3]
     pending = machine.making[-1] if machine.making else None
-    known = bases.items if isinstance(bases, Tuple) else machine.iterate(bases).known
-    plain = tuple(b for b in known if b.__class__ in (Class, External, Native) and b != Native("builtins.object"))
+    plain = _plain_bases(machine, bases)
     if pending is not None and name == Const(pending.name):
         cls = pending
         if plain != pending.bases:
@@ -131,6 +131,19 @@ def make_by_call(machine: Engine, meta: Value, args: tuple[Value, ...], keywords
         cls = Class(address, str(label), str(label), module, plain, _linearise(plain), machine.place, False)
     metaclasses.fill(machine, cls, names)
     return complete(machine, cls, keywords)
+
+
+def make_by_type(machine: Engine, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+    """`type(name, bases, names)`: a metaclass that one of the bases has makes the class."""
+    meta = metaclasses.chosen(machine, None, _plain_bases(machine, args[1]))
+    if meta.__class__ is Class:
+        return machine.call(meta, args, keywords)
+    return make_by_call(machine, TYPE, args, keywords)
+
+
+def _plain_bases(machine: Engine, bases: Value) -> tuple[Value, ...]:
+    known = bases.items if isinstance(bases, Tuple) else machine.iterate(bases).known
+    return tuple(b for b in known if b.__class__ in (Class, External, Native) and b != Native("builtins.object"))
 
 
 def _tell_members(machine: Engine, cls: Class) -> None:
@@ -255,11 +268,16 @@ def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords
                 if _initialise(machine, cls, option, args, keywords) is not UNBOUND:
                     initialised.append(option)
             elif option is not UNBOUND:
+                metaclasses.start(machine, cls, option, args, keywords)
                 initialised.append(option)
         for option in initialised:
             if isinstance(option, Ref) and not cls.stub:
                 _framework(machine, cls, option, args)
         return join_all(initialised)
+    if len(args) > 2 and TYPE in cls.mro:
+        machine.trace.instantiated.add(cls.place)
+        made = make_by_call(machine, cls, args, keywords)
+        return metaclasses.start(machine, cls, made, args, keywords)
     if abstract.refused(machine, cls):
         machine.trace.instantiated.add(cls.place)
         return UNBOUND

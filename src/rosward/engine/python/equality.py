@@ -212,7 +212,9 @@ def _same(machine: Engine, left: Value, right: Value) -> bool | None:
         return bool(left.value == right.value)
     if left.__class__ is not right.__class__:
         return False
-    return True if left == right else (None if left.__class__ not in (Class, Function, Native) else False)
+    if left == right:  # `node.tick is node.tick` makes two objects, of which each is itself
+        return None if left.__class__ in (BoundMethod, Partial, Tuple) else True
+    return None if left.__class__ not in (Class, Function, Native) else False
 
 
 _OBJECT: Final = Native("builtins.object")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial, Range, Slice, Tuple
 from rosward.domain.heap import CLASSES
-from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Text, Value
 from rosward.models.python.contents import KINDS
 from rosward.models.python.exceptions import is_exception
 
@@ -80,6 +80,8 @@ def bind(machine: Engine, found: Value, receiver: Value, cls: Value) -> Value:
             return found.getter
         if found.kind == "classmethod":
             return BoundMethod(cls, found.getter)
+        if found.getter == NONE:
+            return machine.die("AttributeError", "a property without getter", sure=True)
         return machine.call(found.getter, (receiver,))
     if found.__class__ is Choice:
         return join_all(bind(machine, o, receiver, cls) for o in found.options)

@@ -85,6 +85,16 @@ def finish(
     return made
 
 
+def start(machine: Engine, meta: Class, made: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+    """Run `__init__` of a metaclass over what a call of it has made, if that is a class of it; what was made."""
+    for option in options(made):
+        own = metaclass_of(machine, option) if isinstance(option, Class) else None
+        starter = members.lookup(machine, own, "__init__") if isinstance(own, Class) and meta in own.mro else None
+        if starter.__class__ is Function:
+            machine.call(BoundMethod(option, starter), args, keywords)
+    return made
+
+
 def fill(machine: Engine, cls: Class, names: Value) -> None:
     """Give a class the names of a namespace: what `type.__new__` does."""
     sure = len(options(names)) == 1

@@ -330,7 +330,12 @@ def may_lack_value(machine: Machine, value: Value, label: str) -> None:
     """`get_parameter` raises where nobody has given a parameter a value that has no default: whoever catches that is reached."""
     reasons = [r for option in options(value) if isinstance(option, Unknown) for r in option.reasons]
     if any(r.cause is Cause.PARAMETER and r.subject == label for r in reasons):
-        machine.throw(machine.unknown(Cause.PARAMETER, label, EXCEPTION_HINT))
+        may_raise(machine, label)
+
+
+def may_raise(machine: Machine, label: str) -> None:
+    """The client library raises, or not, since it is not known what becomes of a parameter: whoever catches that is reached."""
+    machine.throw(machine.unknown(Cause.PARAMETER, label, EXCEPTION_HINT))
 
 
 def raise_(machine: Machine, exception: str, message: str, *args: Value) -> Value:

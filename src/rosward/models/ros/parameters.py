@@ -53,6 +53,8 @@ def _declare(call: NativeCall) -> Value:
                 if alone:
                     return failed
                 continue
+            if table.is_declared(machine, node, name) is None:
+                table.may_raise(machine, text_of(name, readable(name)))
             value = initial_value(machine, node, name, default, _hint(machine, type_), ignored)
             _record(machine, node, name, value, default, type_)
             element = _HINTS.get(type_label(machine, type_).removesuffix("_ARRAY"), "")
@@ -113,6 +115,8 @@ def _parameter(call: NativeCall) -> Value:
                 if len(nodes) == len(names) == 1:
                     return failed
                 continue
+            if declared is None and not undeclared:
+                table.may_raise(machine, label)
             value = table.value_of(machine, node, name)
             if value is not None:
                 table.may_lack_value(machine, value, label)
@@ -152,6 +156,8 @@ def set_value(machine: Machine, node: Value, name: Value, value: Value, follow: 
                 if alone:
                     return failed
                 continue
+            if declared is None and not undeclared:
+                table.may_raise(machine, text_of(key, readable(key)))
             old = table.value_of(machine, each, key)
             same = old is None or (type_word(old) is not None and type_word(old) == type_word(value))
             if value == NONE:
@@ -197,21 +203,29 @@ def _undeclare(call: NativeCall) -> Value:
     alone = len(nodes) == len(names) == 1
     for node in nodes:
         for name in names:
-            if table.is_declared(machine, node, name) is False:
+            declared = table.is_declared(machine, node, name)
+            if declared is False:
                 failed = table.not_declared(machine, name, "undeclare_parameter")
                 if alone:
                     return failed
-            else:  # one that is read only stays
-                table.take(machine, node, name, sure=alone and not table.flag(machine, node, table.REFUSES))
+                continue
+            refuses = table.flag(machine, node, table.REFUSES)  # one that is read only stays
+            if declared is None or refuses:
+                table.may_raise(machine, text_of(name, readable(name)))
+            table.take(machine, node, name, sure=alone and not refuses)
     return NONE
 
 
 def _needs(call: NativeCall) -> Value:
-    """`_rosward.needs_parameter(node, name, method)`: the method raises where the parameter surely is not declared."""
+    """`_rosward.needs_parameter(node, name, method)`: the method raises where the parameter is not declared."""
     machine = call.machine
     node, name = call.args[0], call.args[1]
-    if table.is_declared(machine, node, name) is False and not table.flag(machine, node, table.UNDECLARED):
+    declared = table.is_declared(machine, node, name)
+    if declared is True or table.flag(machine, node, table.UNDECLARED):
+        return NONE
+    if declared is False:
         return table.not_declared(machine, name, text_of(call.args[2]))
+    table.may_raise(machine, text_of(name, readable(name)))
     return NONE
 
 

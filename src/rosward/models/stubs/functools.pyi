@@ -8,11 +8,17 @@ WRAPPER_UPDATES = ('__dict__',)
 
 class partialmethod:
     def __init__(self, func, /, *args, **keywords):
-        self._func = func
-        self._args = args
-        self._keywords = keywords
+        nested = isinstance(func, partialmethod)
+        self.func = func.func if nested else func
+        self.args = func.args + args if nested else args
+        self.keywords = {**func.keywords, **keywords} if nested else keywords
     def __get__(self, obj, cls=None):
-        return functools.partial(self._func, obj, *self._args, **self._keywords)
+        bound = self.func.__get__(obj, cls) if hasattr(self.func, '__get__') else self.func
+        if bound is not self.func:
+            return functools.partial(bound, *self.args, **self.keywords)
+        return self._call if obj is None else functools.partial(self._call, obj)
+    def _call(self, first, /, *args, **keywords):
+        return self.func(first, *self.args, *args, **{**self.keywords, **keywords})
 
 class _Cached:
     """A function that is run once for each list of arguments, as long as its result is kept."""

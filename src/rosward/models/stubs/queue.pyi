@@ -7,6 +7,8 @@ from collections import deque
 def _any(items): ...
 @native
 def _alone(): ...
+@native
+def _none_yet(items): ...
 
 class Empty(Exception): ...
 class Full(Exception): ...
@@ -53,7 +55,7 @@ class Queue:
         return items.pop(0) if self._own is None else items.popleft()
     def put(self, item, block=True, timeout=None):
         if not self._is_exact():
-            if self.maxsize > 0 and not block:
+            if self.maxsize > 0 and not block and self._items:
                 _any(self._items)  # how many there are decides whether it is full
         elif not block and self.full():
             raise Full
@@ -63,11 +65,18 @@ class Queue:
     def get(self, block=True, timeout=None):
         if not self._is_exact():
             spin()
-        elif (not block or timeout is not None) and not self._qsize():
+        if (not block or timeout is not None) and self._lacks():
             raise Empty
         return self._get()
     def get_nowait(self):
-        return self.get(False) if self._is_exact() else self._get()
+        if self._lacks():
+            raise Empty
+        return self._get()
+    def _lacks(self):
+        """Whether there is surely nothing in it."""
+        if not self._is_exact() and (self._own is not None or not _none_yet(self._items)):
+            return False
+        return not self._qsize()  # a class may keep them elsewhere
     def qsize(self):
         return self._qsize() if self._is_exact() else unknown('live', 'queue.Queue.qsize', 'int')
     def empty(self):

@@ -16,11 +16,11 @@ class MethodType:
 def MappingProxyType(mapping):
     return mapping
 def new_class(name, bases=(), kwds=None, exec_body=None):
-    names = {}
+    given = dict(kwds or {})
+    metaclass = given.pop('metaclass', type(bases[0]) if bases else type)
+    names = metaclass.__prepare__(name, tuple(bases), **given)
     if exec_body is not None:
         exec_body(names)
-    given = dict(kwds or {})
-    metaclass = given.pop('metaclass', type)
     return metaclass(name, tuple(bases), names, **given)
 class FunctionType: ...
 class LambdaType: ...

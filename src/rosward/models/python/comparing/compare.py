@@ -20,7 +20,7 @@ from rosward.domain.series import Series
 from rosward.domain.slots import Enumerated
 from rosward.domain.text import matches, parts_of
 from rosward.domain.unknown import Origins
-from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
+from rosward.domain.values import NONE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN
 from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
 from rosward.models.native import Machine
@@ -193,11 +193,23 @@ def equal(machine: Machine, left: Value, right: Value, depth: int = MAX_DEPTH) -
         return _sequences(machine, left.items, right.items, depth)
     if isinstance(left, Ref) or isinstance(right, Ref):
         return _objects(machine, left, right, depth)
+    if isinstance(left, BoundMethod) and isinstance(right, BoundMethod):
+        return _methods(machine, left, right)
     if isinstance(left, (External, Partial, BoundMethod, Range)) or isinstance(
         right, (External, Partial, BoundMethod, Range)
     ):
         return True if left == right and not isinstance(left, (Partial, Range)) else _never(machine, left, right)
     return left == right
+
+
+def _methods(machine: Machine, left: BoundMethod, right: BoundMethod) -> bool | None:
+    """Two methods are equal if they are one function of one object."""
+    if left.function != right.function:
+        known = isinstance(left.function, (Function, Native)) and isinstance(right.function, (Function, Native))
+        return False if known else None
+    if isinstance(left.receiver, Class) and isinstance(right.receiver, Class):
+        return left.receiver == right.receiver
+    return same(machine, left.receiver, right.receiver)
 
 
 def _is_variable(value: Value) -> bool:

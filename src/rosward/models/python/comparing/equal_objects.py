@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.compound import Native, Tuple
+from rosward.domain.compound import BoundMethod, Native, Tuple
 from rosward.domain.values import Class, Const, Function, Ref, Value
 from rosward.models.native import Machine
 
@@ -56,6 +56,12 @@ def compares(machine: Machine, value: Value) -> bool:
     if not isinstance(value, Ref) or member_value(machine, value) is not None:
         return False
     return has_equality(machine, machine.obj(value).cls)
+
+
+def is_of_many(machine: Machine, key: Value) -> bool:
+    """Whether a key is an object, or a method of one, that stands for several."""
+    owner = key.receiver if isinstance(key, BoundMethod) else key
+    return isinstance(owner, Ref) and machine.obj(owner).many
 
 
 def has_equality(machine: Machine, cls: Value) -> bool:

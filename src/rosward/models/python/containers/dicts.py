@@ -12,14 +12,14 @@ from collections.abc import Mapping
 from typing import Final
 
 from rosward.domain.choice import join, join_all, options
-from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.compound import BoundMethod, External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.models.interfaces import is_of_interfaces, public_name
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.comparing.compare import equal
-from rosward.models.python.comparing.equal_objects import compares, member_value, row_of
+from rosward.models.python.comparing.equal_objects import compares, is_of_many, member_value, row_of
 from rosward.models.python.contents import bare, plain_data
 from rosward.models.python.plain import Raised, all_of, key_shown, native, origins, unknown_from, with_origins
 from rosward.records import NamedTuple
@@ -37,6 +37,8 @@ def key_of(value: Value) -> Value | None:
         return None if None in items else Tuple(tuple(v for v in items if v is not None))
     if isinstance(value, External) and "._" in value.name and is_of_interfaces(value.name):
         return External(public_name(value.name))
+    if isinstance(value, BoundMethod):  # those of one object are equal
+        return value if isinstance(value.receiver, _IDENTITIES) and isinstance(value.function, _IDENTITIES) else None
     return value if isinstance(value, _IDENTITIES) else None
 
 
@@ -139,7 +141,7 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
         elif compares(machine, key):  # it may be equal to another key
             obj = _store_unknown(machine, obj, key, value)
         else:
-            is_many = isinstance(key, Ref) and machine.obj(key).many
+            is_many = is_of_many(machine, key)
             obj = _store_known(obj, find(machine, obj, key) or key, value, several or is_many)
             if isinstance(obj.payload, Ref) and isinstance(key, Const) and isinstance(key.value, str):
                 machine.keep_attr(
