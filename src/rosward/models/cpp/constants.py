@@ -31,6 +31,11 @@ __all__ = ["NATIVES", "known_member", "known_name"]
 _CONSTANTS: Final[dict[str, Value]] = {
     **{f"std.{name}.npos": Const(NPOS) for name in ("string", "string_view", "basic_string", "wstring")},
     "std.variant_npos": Const(NPOS),
+    **{
+        f"std.{kind}_ordering.{name}": Const(sign)
+        for kind in ("strong", "weak", "partial")
+        for name, sign in (("less", -1), ("equal", 0), ("equivalent", 0), ("greater", 1))
+    },
     "NULL": NONE,
     "EXIT_SUCCESS": Const(0),
     "EXIT_FAILURE": Const(1),
