@@ -58,19 +58,33 @@ def own_operator(machine: Engine, operator: str, args: tuple[Value, ...]) -> Val
 
 
 def _free(machine: Engine, operator: str, args: tuple[Value, ...]) -> Overloads | None:
-    """The operators of the first of the namespaces of the operands that has some that take them."""
+    """The operators of the first of the namespaces of the operands that has some that take them.
+
+    Else those that are written with the name of a class of theirs: a friend calls the instance of a template by the name of the template.
+    """
     several: list[Overloads] = []
+    called: set[str] = set()
     for arg in args:
         cls = type_of(machine, arg)
         for each in cls.mro if isinstance(cls, Class) else ():
             info = linked(machine).info(each)
             scope = info.symbol.scope if info is not None else None
-            if scope is None:
+            if info is None or scope is None:
                 continue
             found = names.in_namespace(machine, scope, f"operator{operator}", names.seeing(machine))
             if found is not None:
                 several.append(overloads(machine, found, ()))
-    return next((each for each in several if fitting(machine, each.functions, args)), None)
+                called.add(info.symbol.name)
+    taking = next((each for each in several if fitting(machine, each.functions, args)), None)
+    if taking is not None:
+        return taking
+    return next((each for each in several if any(_is_written_with(f, called) for f in each.functions)), None)
+
+
+def _is_written_with(function: Function, called: set[str]) -> bool:
+    """Whether a parameter of a function is of a class of one of these names, as it is written."""
+    signature = function.code.signature
+    return signature is not None and any(not called.isdisjoint(p.type.names[-1:]) for p in signature.parameters)
 
 
 def _of_enumeration(machine: Engine, operator: str, args: tuple[Value, ...]) -> Value | None:
