@@ -31,6 +31,9 @@ def _is_unaware(tools: str, **others: str) -> bool:
         "template<typename T> T twice(T value) { return value + value; }",
         "enum class Mode { A, B }; typedef int Number; using Name = int;",
         'static const char * const NAME = "a"; const std::vector<std::string> NAMES = {"a"}; static constexpr const char * B = "b";',
+        'inline const char * go() { return "announce a Station"; }  // counter',
+        'inline const char * go() { return R"-(" announce )" )-"; } /* Station */',
+        "template<typename T> int go(T box) { return box.announce(1) + box->make() + box\n  .counter; }",
     ],
 )
 def test_it_knows_nothing(tools: str) -> None:
@@ -50,6 +53,13 @@ def test_it_knows_nothing(tools: str) -> None:
         "inline int go() { return announce(1); }",
         "struct Holder { Station * station; };",
         "inline int go() { return counter++; }",
+        "template<typename T> auto go(T box) -> Station;",
+        "struct Box { auto go() const -> Station; auto come() noexcept->Station; };",
+        "template<typename T> int go(T box) { return box.Station::size() + box.template to<Station>(); }",
+        "inline int go() { return '\"' + announce(1) + '\"'; }",
+        "inline int go() { return 1'000 + announce(1'000); }",
+        'inline int go() { /* " */ return announce(1); /* " */ }',
+        'inline const char * go() { return R"(")" + announce(1); }  // "',
         "int kept = 0;",
         "static int kept;",
         "inline int next() { static int kept = 0; return kept++; }",

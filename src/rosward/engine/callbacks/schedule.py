@@ -11,14 +11,13 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options, reasons_of, widen
-from rosward.domain.compound import function_behind
-from rosward.domain.slots import Overloads
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
 from rosward.engine.budget import BeginAnewError, LimitReachedError
 from rosward.engine.callbacks import made_many, waits_recalled
+from rosward.engine.callbacks.alike import code_key, standing_for
 from rosward.engine.callbacks.unchanged import is_unchanged, remembered
 from rosward.engine.callbacks.unheld import arrive, unheld
 from rosward.engine.running.attributes_asked import records_of
@@ -136,14 +135,7 @@ def _context(machine: Engine, callback: Value, event: str) -> int:
     book = machine.schedule_book
     if not book.running and event != BY_PYTHON:
         return machine.context("callback", len(book.entries))
-    return machine.context("later callback", _code_key(callback), event, machine.place)
-
-
-def _code_key(callback: Value) -> str:
-    if callback.__class__ is Overloads:
-        return " ".join(function.code.key for function in callback.functions)
-    function = function_behind(callback)
-    return "" if function is None else function.code.key
+    return machine.context("later callback", code_key(callback), event, machine.place)
 
 
 def spin(machine: Engine, *, serving: bool = False, beside: bool = False) -> None:
@@ -278,8 +270,9 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
             made.clear()
         start = _reached(machine)
         merge = join if round_ < machine.budget.widen_after else widening
-        for entry in [e for e in book.entries.values() if not e.exhausted]:
-            if is_unchanged(machine, entry) or not _afford(machine, entry):
+        for each in [e for e in book.entries.values() if not e.exhausted]:
+            entry = standing_for(machine, each)
+            if entry is None or is_unchanged(machine, entry) or not _afford(machine, entry):
                 continue
             if not looked:
                 _look_through(machine, frames)
@@ -325,20 +318,21 @@ def _call(machine: Engine, entry: Scheduled) -> None:
     """Run a callback. What it wrote in haste is doubted: where something is created of that, the process is to be followed anew."""
     book, haste = machine.schedule_book, machine.precision.haste
     book.event, book.between, book.seen = entry.event, None, machine.state.version
-    machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
+    for registered in (entry, *entry.others):
+        machine.state.heap.fill(registered.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
     if not haste.on:
         _run_once(machine, entry, short=False)
         _leave_between(machine)
         return
     before, entries, made = machine.state.copy(), len(book.entries), (machine.log.made, haste.open)
-    short = not entry.costly and _code_key(entry.callback) not in haste.careful
+    short = not entry.costly and code_key(entry.callback) not in haste.careful
     _run_once(machine, entry, short=short)
     _leave_between(machine)
     parts = entry.doubted | haste.behind(records_of(machine.asked_for))
     if parts and (machine.log.made, haste.open) != made:
         raise BeginAnewError(parts)
     if short and entry.coarse:
-        parts |= {_code_key(entry.callback)}
+        parts |= {code_key(entry.callback)}
         haste.hurried |= parts
     if parts:
         haste.doubt((address for address, _ in machine.state.heap.changed_since(before.heap)), parts)
@@ -360,8 +354,8 @@ def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:
     frame.op = Op(entry.place.line, entry.place.column)
     frame.uncertain = 1
     machine.frames.append(frame)
-    key = _code_key(entry.callback)
-    hurried = machine.schedule_book.hurried and key not in machine.trace.creating
+    key, book, before = code_key(entry.callback), machine.schedule_book, machine.precision.steps
+    hurried = book.hurried and key not in machine.trace.creating
     coarse = entry.coarse
     short = short and not hurried and not entry.late
     heavy = machine.precision.begin_callback(key, coarse=coarse or hurried, short=short, late=entry.late)
@@ -387,4 +381,5 @@ def _run_once(machine: Engine, entry: Scheduled, *, short: bool) -> None:
     finally:
         took_much = machine.precision.end_callback(heavy)
         entry.coarse = coarse if hurried else took_much
+        book.taken[key] = book.taken.get(key, 0) + machine.precision.steps - before
         machine.frames.clear()

@@ -49,6 +49,8 @@ class Schedule:
         "settled",
         "spent",
         "spins",
+        "standing",
+        "taken",
         "threads",
         "waited",
     )
@@ -56,6 +58,9 @@ class Schedule:
     def __init__(self) -> None:
         self.entries: dict[object, Scheduled] = {}
         self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
+        self.taken: dict[str, int] = {}  # by the key of a function, the steps of the callbacks that run it
+        # by that and the event, the one that stands for many (`alike.py`)
+        self.standing: dict[tuple[str, str], Scheduled] = {}
         self.running = False
         self.spent = False  # callbacks do not run again, as all together took too many steps
         self.beside = False  # a thread was started that spins: callbacks run wherever the main body waits

@@ -43,12 +43,14 @@ class Scheduled:
         "left",
         "made",
         "nodes",
+        "others",
         "own",
         "parts",
         "place",
         "read",
         "runs",
         "state",
+        "taken_in",
     )
 
     def __init__(
@@ -66,6 +68,8 @@ class Scheduled:
             frozenset()
         )  # the callbacks that were followed in haste, of which one registered it
         self.answered: Value | None = None  # what is called with each result
+        self.others: list[Scheduled] = []  # those for which it stands (`alike.py`)
+        self.taken_in = False  # another one stands for it
         self.exhausted = False  # it hit a limit: it is not run again
         self.late = False  # it runs for the first time when all together took too many steps: it has a few
         self.runs = 0  # how often it ran
