@@ -78,7 +78,8 @@ def _free(machine: Engine, operator: str, args: tuple[Value, ...]) -> Overloads 
     taking = next((each for each in several if fitting(machine, each.functions, args)), None)
     if taking is not None:
         return taking
-    return next((each for each in several if any(_is_written_with(f, called) for f in each.functions)), None)
+    written = (each.only(tuple(f for f in each.functions if _is_written_with(f, called))) for each in several)
+    return next((each for each in written if each.functions), None)
 
 
 def _is_written_with(function: Function, called: set[str]) -> bool:
