@@ -155,13 +155,14 @@ _TRIED = (
 
     def tick(self):
         for name in ["p", "q"] * random.randint(0, 9):
-            self.c = self.c + 1
-            try:
-                self.keep("left")
-            except Refused as e:
-                self.make(e.args[0] + "/refused")
-            except IndexError:
-                self.make(self.a)
+            for number in range(random.randint(0, 9)):
+                self.c = self.c + 1
+                try:
+                    self.keep("left")
+                except Refused as e:
+                    self.make(e.args[0] + "/refused")
+                except IndexError:
+                    self.make(self.a)
 
     def hear(self, msg):
         pass

@@ -106,6 +106,7 @@ class Engine(Machine, Protocol):
     noted: int
     handling: list[tuple[Value, int]]
     unheld: set[int]
+    lasting: set[int]
     inner: dict[int, int]
     missed: set[int]
     ended_at: dict[Place, Value]

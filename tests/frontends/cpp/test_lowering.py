@@ -89,7 +89,6 @@ def test_literals(literal: str, value: object) -> None:
         ("int n = sizeof(int);", ["language sizeof"]),
         ("co_await g();", ["language coroutine", "language co_await", "language coroutine"]),
         ("decltype(g()) x = 1;", ["language decltype"]),
-        ("auto o = a <=> b;", ["language <=>"]),
         ("asm(\"nop\");", ["language gnu_asm"]),
         ("a.*b; int x = @;", ["syntax int x = @;"]),
         ("g(1, @);", ["syntax , @"]),

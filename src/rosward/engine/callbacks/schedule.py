@@ -19,7 +19,7 @@ from rosward.engine.budget import BeginAnewError, LimitReachedError
 from rosward.engine.callbacks import made_many, waits_recalled
 from rosward.engine.callbacks.alike import code_key, standing_for
 from rosward.engine.callbacks.unchanged import is_unchanged, remembered
-from rosward.engine.callbacks.unheld import arrive, replaced, unheld
+from rosward.engine.callbacks.unheld import arrive, unheld
 from rosward.engine.running.attributes_asked import records_of
 from rosward.engine.running.catcher import LIBRARY
 from rosward.engine.running.frame import Frame
@@ -265,8 +265,8 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
     for round_ in range(machine.budget.rounds * 3):
         looked = bool(made)
         if looked:
-            gone = _look_through(machine, frames)
-            made_many.mark(machine, book.entries.values(), made - gone)
+            _look_through(machine, frames)
+            made_many.mark(machine, book.entries.values(), made - machine.unheld)
             made.clear()
         start = _reached(machine)
         merge = join if round_ < machine.budget.widen_after else widening
@@ -290,11 +290,9 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
     machine.report("RW201", "the callbacks did not converge; what they create later may be missing")
 
 
-def _look_through(machine: Engine, frames: Sequence[Frame]) -> set[int]:
-    """Look for what nothing holds any more: messages and variables that are made there take its place. All addresses of that kind."""
-    gone = unheld(machine, machine.schedule_book.entries.values(), frames)
-    machine.unheld = replaced(machine, gone)
-    return gone
+def _look_through(machine: Engine, frames: Sequence[Frame]) -> None:
+    """Look for what nothing holds any more: what is made there takes its place."""
+    machine.unheld = unheld(machine, machine.schedule_book.entries.values(), frames)
 
 
 def _afford(machine: Engine, entry: Scheduled) -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which objects does nothing hold any more, when the callbacks run once more? Of these, a new message or variable takes the place of the old one.
+"""Which objects does nothing hold any more, when the callbacks run once more? What is made there next takes the place of these.
 
 def on_timer(self):
     msg = String()           the message of the last time is gone: here is one new message, not one of several
@@ -35,13 +35,13 @@ _LEAVES: Final = frozenset((Const, Text, Unknown, Native, External))
 
 
 def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame]) -> set[int]:
-    """The addresses to which nothing leads: no class, module or node, no frame of the main body, no callback.
+    """The addresses to which nothing leads: no class, module or node, no variable that lasts, no frame of the main body, no callback.
 
     A callback refers to the message that arrives with it only if it is given another time, too.
     """
     if machine.advancing:
         return set()  # generators that are running hold values elsewhere
-    held = {effect.address for effect in machine.log.nodes}
+    held = {effect.address for effect in machine.log.nodes} | machine.lasting
     inside: dict[int, list[int]] = {}  # where objects lead
     first = machine.library.first_address
     for address, obj in machine.state.heap.items():
@@ -55,7 +55,7 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     arriving: Counter[int] = Counter()
     seen: set[tuple[int, int]] = set()
     for entry in entries:
-        held.update(r.address for r in _refs((entry.callback,)))
+        held.update(r.address for r in _refs((entry.callback, *(() if entry.answered is None else (entry.answered,)))))
         for ref in _refs(entry.args or ()):
             arriving[ref.address] += 1 if entry.event in ARRIVING else 2
         held.update(r.address for obj in _only_there(machine, entry, seen) for r in _refs(values_in(obj)))
@@ -72,12 +72,6 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
                 held.add(address)
                 work.append(address)
     return inside.keys() - held
-
-
-def replaced(machine: Engine, addresses: Iterable[int]) -> set[int]:
-    """Those of some addresses where a message or a cell stands: what is made there next takes its place."""
-    heap = machine.state.heap
-    return {a for a in addresses if (obj := heap.get(a)) is not None and (obj.kind == "cell" or _is_message(obj))}
 
 
 def _is_message(obj: Obj) -> bool:

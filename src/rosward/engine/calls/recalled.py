@@ -125,7 +125,7 @@ def ended(machine: Engine, place: object, key: str, call: Call, over: State | No
     call.fresh = {a: heap.get(a) for a in changed & summaries.fresh - asked_for - call.anew}
     call.rests, call.used, call.wrote = machine.precision.rests, summaries.used, frozenset(summaries.wrote)
     begun_with = [a for before, _ in call.rests.values() if before is not None for a, _ in before.objects]
-    call.addresses = tuple(asked_for.union(changed - call.fresh.keys(), call.anew, begun_with))
+    call.addresses = tuple(asked_for.union(changed - call.fresh.keys(), begun_with) - call.anew)
     call.records = tuple(map(heap.get, call.addresses))
     call.nodes = nodes_asked.answered(machine.log, call.asked_for, call.begun_nodes)
     if len(summaries.calls) > _MOST:
@@ -138,18 +138,30 @@ def known(machine: Engine, place: object) -> Call | None:
     state = machine.state
     for call in machine.summaries.calls.get(place, ()):
         if (
-            state.heap.holds(call.addresses, call.records)
+            _finds(machine, call)
             and machine.precision.allows(call.effort)
             and call.done <= state.done
             and call.around == _around(machine)
             and machine.precision.begins_as(call.rests)
             and _still_stand(machine, call)
             and nodes_asked.still_holds(machine.log, call.nodes)
-            and call.anew.issuperset(machine.unheld.intersection(call.addresses))
-            and call.anew <= machine.unheld
         ):
             return call
     return None
+
+
+def _finds(machine: Engine, call: Call) -> bool:
+    """Whether a call would find what it found. What nothing holds any more is nothing: what is made there takes its place."""
+    heap, unheld = machine.state.heap, machine.unheld
+    if any(address not in unheld and heap.get(address) is not None for address in call.anew):
+        return False
+    if not unheld or unheld.isdisjoint(call.addresses):
+        return heap.holds(call.addresses, call.records)
+    found = list(zip(call.addresses, call.records, strict=True))
+    if any(record is not None and address in unheld for address, record in found):
+        return False
+    there = [(address, record) for address, record in found if address not in unheld]
+    return heap.holds(*zip(*there, strict=True)) if there else True
 
 
 def _still_stand(machine: Engine, call: Call) -> bool:
@@ -168,9 +180,9 @@ def repeated(machine: Engine, key: str, call: Call) -> Value:
     change(machine, state, call, call.left_in)
     machine.unheld.difference_update(call.fresh)
     machine.summaries.fresh.update(call.fresh)
-    if call.anew:
-        machine.unheld -= call.anew
-        machine.summaries.anew += call.anew
+    if taken := machine.unheld.intersection((*call.anew, *call.addresses)):
+        machine.unheld -= taken
+        machine.summaries.anew += taken
     machine.raised += call.raised
     machine.asked_for |= call.asked_for
     machine.precision.repeat(call.effort)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
-from rosward.domain.slots import Pointer, TypeOf
+from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
@@ -139,13 +139,19 @@ def deduce(machine: Engine, signature: Signature, given: tuple[Value, ...], expl
             seen = cast[index] if cast and not pattern.pointers else None
             if seen is None and not pattern.pointers:
                 seen = TypeOf(numbers[index], ()) if numbers and numbers[index] else number_at(machine, given[index])
-            match(machine, pattern, type_of(machine, given[index]) if seen is None else seen, wanted, bindings)
+            match(machine, pattern, _seen(machine, given[index]) if seen is None else seen, wanted, bindings)
             for name in _packs(pattern):  # it is none of nothing: `std::integer_sequence<T, Ns...>` of something else
                 if name in wanted and name not in bindings:
                     bindings[name] = machine.unknown(Cause.CALL, f"parameter pack {name}")
     if of_class != NONE:  # `void (C::*f)(M)` is kept as `void (*f)(M)`
         bindings |= dict.fromkeys(_unmentioned(signature, wanted), of_class)
     return bindings
+
+
+def _seen(machine: Engine, value: Value) -> Value:
+    """The type of an argument, as far as it shows: of a null pointer that a variable holds, it does not."""
+    is_null = isinstance(value, Slot) and read(machine, value) == NONE
+    return machine.unknown(Cause.CALL, "type of a null pointer") if is_null else type_of(machine, value)
 
 
 def _unmentioned(signature: Signature, wanted: frozenset[str]) -> list[str]:

@@ -22,6 +22,7 @@ from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import construct, guessing, members, names, unaware, visitors
 from rosward.engine.cpp.binding import bind
 from rosward.engine.cpp.categories import class_cast_to
+from rosward.engine.cpp.comparing import COMPARED, made_up
 from rosward.engine.cpp.handing import decayed, hand_over, is_member
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.natives import run_native
@@ -288,6 +289,8 @@ def _without_body(machine: Engine, function: Function, registers: list[Value]) -
     symbol = linked(machine).declared[function.code.key]
     if symbol.name.startswith("~") and "default" in symbol.marks:
         return NONE
+    if symbol.name in COMPARED and "default" in symbol.marks:
+        return made_up(machine, symbol.name, function, registers)
     values = [v for v in registers if v is not UNBOUND]
     signature = function.code.signature
     name = f"{function.module.name}.{symbol.name}"

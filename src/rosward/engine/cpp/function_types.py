@@ -49,9 +49,13 @@ class Wanted(NamedTuple):
 
 
 class Taken(NamedTuple):
-    """What something that can be called takes: the types, how many have to be given and how many may be; of which class it is a member."""
+    """What something that can be called takes: the types, how many have to be given and how many may be; of which class it is a member.
+
+    `written`: the types as they are written, with references.
+    """
 
     types: tuple[Value, ...]
+    written: tuple[TypePattern, ...]
     least: int
     most: int | None
     result: Value
@@ -119,7 +123,7 @@ def deduce_from(
                 bindings.setdefault(each.names[0], Tuple(taken.types[index:]))
             break
         if index < len(taken.types) and taken.types[index] != NONE:
-            match(machine, each, taken.types[index], names, bindings)
+            match(machine, each, taken.types[index], names, bindings, written=True)
     if taken.result != NONE:
         match(machine, result, taken.result, names, bindings)
     return taken.cls
@@ -148,7 +152,7 @@ def _taken(machine: Engine, value: Value) -> Taken | None:
     written = symbol.type if symbol is not None and not symbol.template else None
     result = evaluate(machine, written, function.module) if written is not None else NONE
     cls = info.cls if info is not None and info.cls is not None else NONE
-    return Taken(types, len(types) - optional, most, result, cls)
+    return Taken(types, patterns, len(types) - optional, most, result, cls)
 
 
 def _takes_any(signature: Signature) -> bool:
@@ -156,14 +160,14 @@ def _takes_any(signature: Signature) -> bool:
 
 
 def _fits(machine: Engine, taken: Taken, wanted: Wanted, generic: frozenset[str]) -> bool | None:
-    types = taken.types
+    types, written = taken.types, taken.written
     count = len(wanted.parameters)
     if taken.cls != NONE and not wanted.exact:  # the object is the first that is given
-        types, count = (taken.cls, *types), count - 1
+        types, written, count = (taken.cls, *types), (TypePattern(), *written), count - 1
     too_many = taken.most is not None and count > taken.most
     if (count < taken.least and not wanted.open) or too_many or (wanted.exact and taken.most is None and count == 0):
         return False
-    answers = set(_each(machine, types, wanted, generic))
+    answers = set(_each(machine, types, written, wanted, generic))
     if "void" in {dotted(taken.result), dotted(wanted.result)} and taken.result != wanted.result:
         answers.add(None if NONE in {taken.result, wanted.result} else not wanted.exact and _is_void(wanted.result))
     return False if False in answers else None if None in answers else True
@@ -173,15 +177,27 @@ def _is_void(type_: Value) -> bool:
     return dotted(type_) == "void"
 
 
-def _each(machine: Engine, types: tuple[Value, ...], wanted: Wanted, generic: frozenset[str]) -> Iterator[bool | None]:
+def _each(
+    machine: Engine,
+    types: tuple[Value, ...],
+    written: tuple[TypePattern, ...],
+    wanted: Wanted,
+    generic: frozenset[str],
+) -> Iterator[bool | None]:
     bindings: dict[str, Value] = {}
-    for given, own in zip(wanted.parameters, types, strict=False):
+    for given, own, pattern in zip(wanted.parameters, types, written, strict=False):
         if own == NONE or dotted(own) == "auto":
             yield None
         elif isinstance(given, TypePattern):
-            yield match(machine, given, own, generic, bindings) and None
+            is_other = wanted.exact and _is_referred_otherwise(given, pattern)
+            yield not is_other and match(machine, given, own, generic, bindings, written=True) and None
         else:
             yield _converts(_bare(given), _bare(own), exact=wanted.exact)
+
+
+def _is_referred_otherwise(given: TypePattern, own: TypePattern) -> bool:
+    """Whether one parameter is a reference and the other is none, or one to what is constant."""
+    return given.reference != own.reference or (bool(given.reference) and given.const and not own.const)
 
 
 def _converts(given: Value, own: Value, *, exact: bool) -> bool | None:

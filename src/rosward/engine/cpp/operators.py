@@ -16,6 +16,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Choice, Class, Const, Function, Ref, Value
 from rosward.engine.cpp import calls, members, names
 from rosward.engine.cpp.categories import cast_to
+from rosward.engine.cpp.comparing import by_members, is_ordered_by_members
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.overloading import fitting
@@ -48,7 +49,7 @@ def own_operator(machine: Engine, operator: str, args: tuple[Value, ...]) -> Val
     own = found if isinstance(found, Overloads) else None
     if own is not None and (len(own.functions) > 1 or len(args) > 1) and not fitting(machine, own.functions, args[1:]):
         free = _free(machine, operator, args)
-        if free is not None and fitting(machine, free.functions, args):
+        if free is not None:
             return calls.invoke(machine, free, args)
     if own is not None:
         return calls.invoke(machine, own, args[1:])
@@ -57,21 +58,34 @@ def own_operator(machine: Engine, operator: str, args: tuple[Value, ...]) -> Val
 
 
 def _free(machine: Engine, operator: str, args: tuple[Value, ...]) -> Overloads | None:
-    """The operators of the namespaces of the operands: the first that has some that take them, else the first that has any."""
+    """The operators of the first of the namespaces of the operands that has some that take them.
+
+    Else those that are written with the name of a class of theirs: a friend calls the instance of a template by the name of the template.
+    """
     several: list[Overloads] = []
+    called: set[str] = set()
     for arg in args:
         cls = type_of(machine, arg)
         for each in cls.mro if isinstance(cls, Class) else ():
             info = linked(machine).info(each)
             scope = info.symbol.scope if info is not None else None
-            if scope is None:
+            if info is None or scope is None:
                 continue
             found = names.in_namespace(machine, scope, f"operator{operator}", names.seeing(machine))
             if found is not None:
                 several.append(overloads(machine, found, ()))
-    if len(several) > 1:
-        several = [each for each in several if fitting(machine, each.functions, args)] or several
-    return several[0] if several else None
+                called.add(info.symbol.name)
+    taking = next((each for each in several if fitting(machine, each.functions, args)), None)
+    if taking is not None:
+        return taking
+    written = (each.only(tuple(f for f in each.functions if _is_written_with(f, called))) for each in several)
+    return next((each for each in written if each.functions), None)
+
+
+def _is_written_with(function: Function, called: set[str]) -> bool:
+    """Whether a parameter of a function is of a class of one of these names, as it is written."""
+    signature = function.code.signature
+    return signature is not None and any(not called.isdisjoint(p.type.names[-1:]) for p in signature.parameters)
 
 
 def _of_enumeration(machine: Engine, operator: str, args: tuple[Value, ...]) -> Value | None:
@@ -131,15 +145,35 @@ def binary(machine: Engine, operator: str, left: Value, right: Value, *, inplace
 
 
 def compare(machine: Engine, operator: str, left: Value, right: Value) -> Value:
-    """left operator right; `!=` and the like follow from `==` and `<` where only these are defined."""
+    """left operator right; `!=` and the like follow from `==` and `<=>` where only these are defined."""
     own = own_operator(machine, operator, (left, right))
+    if own is None and (_is_object(machine, left) or _is_object(machine, right)):
+        own = _equal(machine, operator, left, right) if operator in ("==", "!=") else None
+        own = _ordered(machine, operator, left, right) if own is None and operator != "==" else own
     if own is not None:
         return own
-    if operator == "!=":
-        equal = own_operator(machine, "==", (left, right))
-        if equal is not None:
-            return unary(machine, "not", equal)
     return plain.compare(machine, operator, read(machine, within(machine, left)), read(machine, within(machine, right)))
+
+
+def _equal(machine: Engine, operator: str, left: Value, right: Value) -> Value | None:
+    """What follows from an `==`, also of the operands in turn; None where there is none."""
+    equal = own_operator(machine, "==", (left, right)) if operator == "!=" else None
+    if equal is None:
+        equal = own_operator(machine, "==", (right, left))
+    if equal is None and is_ordered_by_members(machine, read(machine, left)):
+        equal = by_members(machine, "==", read(machine, left), read(machine, right))
+    return unary(machine, "not", equal) if equal is not None and operator == "!=" else equal
+
+
+def _ordered(machine: Engine, operator: str, left: Value, right: Value) -> Value | None:
+    """What follows from a `<=>`, also of the operands in turn; None where there is none."""
+    order = own_operator(machine, "<=>", (left, right)) if operator != "<=>" else None
+    if order is not None:
+        return compare(machine, operator, order, Const(0))
+    order = own_operator(machine, "<=>", (right, left))
+    if order is None:
+        return None
+    return unary(machine, "-", order) if operator == "<=>" else compare(machine, operator, Const(0), order)
 
 
 def truth(machine: Engine, value: Value) -> bool | None:

@@ -11,6 +11,7 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import Tuple
+from rosward.domain.slots import TypeOf
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Choice, ModuleValue, Unknown, Value
 from rosward.engine.cpp import names
@@ -44,6 +45,7 @@ def meant_for(
     wanted = frozenset(p.name for p in symbol.template or ())
     bindings: dict[str, Value] = {}
     asked: list[tuple[Code, Value]] = []
+    open_ = False
     for index, pattern in enumerate(patterns):
         if pattern.pack and len(pattern.names) == 1 and pattern.names[0] in wanted:
             bindings[pattern.names[0]] = Tuple(given[index:])
@@ -55,16 +57,29 @@ def meant_for(
             asked.append((code, given[index]))
         elif not _mentions(pattern, wanted):
             if type_of_pattern(machine, env, pattern) != given[index]:
-                return None
+                if not _is_open(given[index]):
+                    return None
+                open_ = True
         elif not match(machine, pattern, given[index], wanted, bindings, sure=True):
-            return None
+            if not _is_open(given[index]) or not match(machine, pattern, given[index], wanted, bindings):
+                return None
+            open_ = True
     else:
         if len(patterns) < len(given):
             return None
     for parameter in symbol.template or ():  # of a pattern that says more than can be matched
         if parameter.name not in bindings:
             bindings[parameter.name] = machine.unknown(Cause.CALL, f"template argument {parameter.name}")
+    if open_:
+        return machine.unknown(Cause.CALL, f"whether {symbol.name} is specialised for this")
     return _answered(machine, symbol, env, bindings, asked)
+
+
+def _is_open(type_: Value) -> bool:
+    """Whether a template argument is not known, or not all of it."""
+    if isinstance(type_, (TypeOf, Tuple)):
+        return any(map(_is_open, type_.arguments if isinstance(type_, TypeOf) else type_.items))
+    return isinstance(type_, (Choice, Unknown))
 
 
 def _is_asked(machine: Engine, env: ModuleValue, pattern: TypePattern, wanted: frozenset[str]) -> bool:

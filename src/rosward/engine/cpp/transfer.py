@@ -287,6 +287,7 @@ def _static_local(machine: Engine, op: cpp.StaticLocal, frame: Frame) -> bool | 
     if machine.own(address) is None:
         if not machine.run(op.body, frame):
             return DEAD
+        machine.lasting.add(address)
         machine.put(address, Obj("cell", NONE, {"value": frame.registers[op.result]}))
     held = machine.at(address).attrs.get("value", NONE)
     frame.registers[op.dst] = held if isinstance(held, (Ref, Slot)) else Slot(Ref(address), "cell", None)

@@ -12,9 +12,9 @@ from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
 from rosward.domain.enumerated import Whole
 from rosward.domain.heap import Obj
-from rosward.domain.slots import Enumerated, Overloads, Pointer, Slot, TypeOf, is_char_text
+from rosward.domain.slots import Enumerated, Overloads, Owner, Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
-from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.domain.values import NONE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import linked
 from rosward.ir.arithmetic import LONG, same_type
@@ -47,6 +47,7 @@ __all__ = [
 
 STRING: Final = External("std.string")
 POINTERS: Final = frozenset({"pointer", "std.shared_ptr", "std.unique_ptr", "std.weak_ptr"})
+_SMART: Final = POINTERS - {"pointer"}
 _POINTER_MEMBERS: Final = frozenset(
     f"{const}{kind}Ptr{of}"
     for const in ("", "Const")
@@ -60,6 +61,7 @@ _OF_PLAIN: Final[dict[type, Value]] = {
     str: STRING,
     type(None): TypeOf("nullptr", ()),
 }
+_OF_OWNER: Final[dict[Owner, str]] = {"": "pointer", "shared": "std.shared_ptr", "unique": "std.unique_ptr"}
 _LONG: Final = TypeOf(LONG, ())
 CHARACTERS: Final = TypeOf("pointer", (TypeOf("char", ()),))
 _OF_HINT: Final[dict[str, Value]] = {
@@ -128,6 +130,8 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
         }
         if _LONG in found:
             found.discard(_OF_PLAIN[int])
+        for target in [pointee(each) for each in found if dotted(each) in _SMART]:
+            found.discard(TypeOf("pointer", (target,)) if target is not None else NONE)  # whether it owns, did not show
         return found.pop() if len(found) == 1 else machine.unknown(Cause.CALL, "type of one of several values")
     if isinstance(value, Const):
         if isinstance(value.value, Enumerated):
@@ -149,7 +153,8 @@ def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
     if isinstance(value, Pointer) and _is_in_text(machine, value.target):
         return CHARACTERS
     if isinstance(value, Pointer):
-        return pointer_to(type_of(machine, value.target, depth + 1)) if depth < _DEPTH else value
+        target = type_of(machine, value.target, depth + 1) if depth < _DEPTH else None
+        return value if target is None else TypeOf(_OF_OWNER[value.owner], (target,))
     if isinstance(value, (Function, BoundMethod, Partial, Overloads)):
         return TypeOf("function", ())
     if isinstance(value, Tuple):
@@ -195,16 +200,23 @@ def match(
     depth: int = 0,
     *,
     sure: bool = False,
+    written: bool = False,
 ) -> bool:
-    """Bind the template parameters in `wanted` so that a pattern is the type; False where it can't be that (`sure`: or may be another)."""
+    """Bind the template parameters in `wanted` so that a pattern is the type; False where it can't be that (`sure`: or may be another).
+
+    `written`: the type is one as it is written, not that of a value, of which it need not show what kind of pointer it is."""
     if depth > _DEPTH:
         return not sure
     if pattern.pointers or (pattern.names and pattern.names[-1] in {"shared_ptr", "unique_ptr", "weak_ptr"}):
         target = pointee(type_)
         if target is None:
             return isinstance(type_, (Unknown, External)) and not sure
+        if (sure or written) and dotted(type_).rpartition(".")[2] != (
+            "pointer" if pattern.pointers else pattern.names[-1]
+        ):
+            return False
         inner = pattern._replace(pointers=pattern.pointers - 1) if pattern.pointers else _first(pattern)
-        return match(machine, inner, target, wanted, bindings, depth + 1, sure=sure)
+        return match(machine, inner, target, wanted, bindings, depth + 1, sure=sure, written=written)
     if len(pattern.names) == 1 and pattern.names[0] in wanted and not pattern.arguments:
         name = pattern.names[0]
         if name in bindings and not isinstance(bindings[name], Unknown):
@@ -233,7 +245,9 @@ def match(
             found = machine.unknown(Cause.CALL, each.names[0]) if open_ else Tuple(types[index:])
             bindings.setdefault(each.names[0], found)
             return True
-        if index < len(types) and not match(machine, each, types[index], wanted, bindings, depth + 1, sure=sure):
+        if index < len(types) and not match(
+            machine, each, types[index], wanted, bindings, depth + 1, sure=sure, written=written
+        ):
             return False
     return True
 

@@ -26,6 +26,8 @@ _CLAUSES: Final = {
     "pure_virtual_clause": "abstract",
     "delete_expression": "delete",
 }
+_VALUES: Final = {b"0": "abstract", b"default": "default"}
+"""What the parser takes for a first value: `virtual void f() = 0`, `friend bool operator==(const A &, const A &) = default`."""
 _OURS: Final = "rosward"
 
 
@@ -40,8 +42,8 @@ def marks_of(node: Node, whole: Node) -> Mapping[str, tuple[str, ...]]:
     value = _value(whole)
     if value is not None and value.type in _CLAUSES:
         found[_CLAUSES[value.type]] = ()
-    elif value is not None and value.text == b"0":
-        found["abstract"] = ()
+    elif value is not None and value.text in _VALUES:
+        found[_VALUES[value.text]] = ()
     return found
 
 

@@ -109,6 +109,10 @@ def namespace_at(parsed: Parsed, line: int) -> Scope:
     return scope
 
 
+_MADE_UP: Final = (b"= default;", b"=default;")
+"""How a friend ends that is defined without a body."""
+
+
 def _friends(parsed: Parsed, of: Declared) -> Iterator[Declared]:
     """The functions that a class defines as its friends, which are not its members. Most classes are not looked into."""
     waiting = [of]
@@ -183,7 +187,7 @@ def _declared(here: _Waiting, inner: list[_Waiting], into: Outline) -> Iterator[
         yield from _declaration(node, scope, templates, inner)
     elif kind == "friend_declaration":
         for child in node.named_children:
-            if child.type == "function_definition":
+            if child.type == "function_definition" or (child.text or b"").endswith(_MADE_UP):
                 yield from (each._replace(friend=True) for each in _declaration(child, scope, templates, inner))
     elif kind == "alias_declaration":
         name = text_of(node.child_by_field_name("name"))

@@ -46,8 +46,8 @@ class Merged:
         return found
 
     def _functions(self, declared: Sequence[CppSymbol]) -> Iterator[CppSymbol]:
-        whole = [s for s in declared if s.defined]
-        open_ = [s for s in declared if not s.defined]
+        whole = [s for s in declared if s.defined or _is_made_up(s)]
+        open_ = [s for s in declared if s not in whole]
         parts: dict[CppSymbol, list[CppSymbol]] = {s: [] for s in whole}
         rest: list[CppSymbol] = []
         for symbol in open_:
@@ -112,6 +112,11 @@ def _defines(symbol: CppSymbol) -> bool:
     if symbol.owner is not None:
         return not symbol.static or not symbol.words.isdisjoint({"inline", "constexpr"})
     return "extern" not in symbol.words or symbol.declared.node.type == "init_declarator"
+
+
+def _is_made_up(symbol: CppSymbol) -> bool:
+    """Whether a friend is defined without a body: `friend bool operator==(const A &, const A &) = default`."""
+    return symbol.declared.friend and "default" in symbol.marks
 
 
 def _same_function(symbol: CppSymbol, others: Sequence[CppSymbol]) -> Sequence[CppSymbol]:

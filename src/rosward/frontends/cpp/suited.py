@@ -30,6 +30,7 @@ using std::sin, std::cos;                using std::sin;using  std::cos;
 virtual void stop() const {};            virtual void stop() const {}
 Box(const char *) -> Box<std::string>;   nothing
 {[&key = key](int i) {}}                 {[&key      ](int i) {}}
+[this] [[nodiscard]] () {}               [this]               () {}
 template class Tree<Node>;               nothing: it runs nothing
 extern template int sum<int>(int);       the same
 
@@ -120,6 +121,8 @@ _GUIDE: Final = re.compile(
 """A deduction guide that is no template: what it says follows from the constructors, mostly."""
 _CAPTURED: Final = re.compile(r"(?<=[\[,])(\s*&\s*)(\w+)(\s*=\s*\2\s*)(?=[,\]])")
 """A reference to a variable of the same name: in braces the grammar takes `[&key = key]` for a designator."""
+_ATTRIBUTED: Final = re.compile(r"(?<=\])(\s*\[\[[^\[\]]{0,200}\]\])(?=\s*[({])")
+"""What is said of the function of a lambda, before its parameters."""
 
 _USING_LIST: Final = re.compile(
     r"((?:^|[;{}:])[ \t]*)(using\s(?!\s*namespace\b)[^;={}()\"]*,[^;={}()\"]*)(?=;)", re.MULTILINE
@@ -179,7 +182,8 @@ def suited(text: str) -> str:
     text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", _TABLE.sub(r"\1 ", text))
     if "->" in text:
         text = _GUIDE.sub(_blank, text)
-    text = _CAPTURED.sub(lambda found: f"{found[1]}{found[2]}{blank(found[3])}", _EMPTY.sub(r"\1 ", text))
+    text = _ATTRIBUTED.sub(_blank, _EMPTY.sub(r"\1 ", text))
+    text = _CAPTURED.sub(lambda found: f"{found[1]}{found[2]}{blank(found[3])}", text)
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
     if "slots" in text:

@@ -5,6 +5,7 @@ std::string::npos                       the largest `size_t`
 std::is_same_v<A, B>                    whether these types are one (`traits.py`)
 std::numeric_limits<int>::max           something that gives 2147483647
 std::vector<T>::value_type              T
+std_msgs::msg::String::SharedPtr        std::shared_ptr<std_msgs::msg::String>
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from rosward.models.cpp.strings.string_parts import NPOS
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.traits import TRAITS
 from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
+from rosward.models.interfaces import message_name
 from rosward.models.native import NativeCall, NativeFunction
 
 __all__ = ["NATIVES", "known_member", "known_name"]
@@ -29,6 +31,11 @@ __all__ = ["NATIVES", "known_member", "known_name"]
 _CONSTANTS: Final[dict[str, Value]] = {
     **{f"std.{name}.npos": Const(NPOS) for name in ("string", "string_view", "basic_string", "wstring")},
     "std.variant_npos": Const(NPOS),
+    **{
+        f"std.{kind}_ordering.{name}": Const(sign)
+        for kind in ("strong", "weak", "partial")
+        for name, sign in (("less", -1), ("equal", 0), ("equivalent", 0), ("greater", 1))
+    },
     "NULL": NONE,
     "EXIT_SUCCESS": Const(0),
     "EXIT_FAILURE": Const(1),
@@ -74,6 +81,17 @@ _SINGLES: Final = {
     "epsilon": 1.1920928955078125e-07,
 }
 _SIZES: Final = {"char": 8, "short": 16, "long": 64, "size_t": 64}
+_OF_MESSAGES: Final = {
+    f"{const}{word}": pointer
+    for const in ("", "Const")
+    for word, pointer in (
+        ("RawPtr", "pointer"),
+        ("SharedPtr", "std.shared_ptr"),
+        ("UniquePtr", "std.unique_ptr"),
+        ("WeakPtr", "std.weak_ptr"),
+    )
+}
+"""The pointers that each message has names for."""
 _AUTO: Final = TypeOf("auto", ())
 _SIZE: Final = TypeOf("unsigned long", ())
 _LIMIT: Final = External("std.numeric_limits.call")
@@ -104,6 +122,9 @@ def known_member(type_: Value, name: str) -> Value | None:
         return None if trait is None else trait(arguments)
     if isinstance(type_, Class):
         return None
+    pointer = _OF_MESSAGES.get(name)
+    if pointer is not None and isinstance(type_, External) and message_name(whole) is not None:
+        return TypeOf(pointer, (type_,))
     return _member_type(type_, name)
 
 

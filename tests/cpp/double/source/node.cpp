@@ -85,6 +85,31 @@ void NodeMethods::undeclare_parameter(const std::string & name)
   }
 }
 bool NodeMethods::has_parameter(const std::string & name) const { return core_->parameters->declared.count(name) != 0; }
+rcl_interfaces::msg::ListParametersResult NodeMethods::list_parameters(
+  const std::vector<std::string> & prefixes, uint64_t depth) const
+{
+  rcl_interfaces::msg::ListParametersResult listed;
+  const auto near = [depth](const std::string & rest) {
+      return depth == 0 || static_cast<uint64_t>(std::count(rest.begin(), rest.end(), '.')) < depth;
+    };
+  for (const auto & [name, value] : below("")) {
+    bool chosen = prefixes.empty() && near(name);
+    for (const auto & prefix : prefixes) {
+      const auto first = prefix + ".";
+      chosen = chosen || name == prefix || (name.rfind(first, 0) == 0 && near(name.substr(first.size())));
+    }
+    if (!chosen) {
+      continue;
+    }
+    listed.names.push_back(name);
+    const auto last = name.rfind('.');
+    const auto above = last == std::string::npos ? "" : name.substr(0, last);
+    if (!above.empty() && std::find(listed.prefixes.begin(), listed.prefixes.end(), above) == listed.prefixes.end()) {
+      listed.prefixes.push_back(above);
+    }
+  }
+  return listed;
+}
 std::vector<NodeMethods::Result> NodeMethods::set_parameters(const std::vector<Parameter> & changed)
 {
   return core_->parameters->set(*core_, changed, false);

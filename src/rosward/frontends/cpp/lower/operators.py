@@ -77,11 +77,12 @@ def binary(body: Body, node: Node, want: Want) -> int:
     for link, right, pair in factors(chain):
         operator = operator_of(link)
         other = _operand(body, right, operator, ">>") if pair is None else value_through(body, link, pair)
-        if operator not in COMPARE and operator not in _BINARY:
+        compares = operator in COMPARE or operator == "<=>"
+        if not compares and operator not in _BINARY:
             value = body.unknown(link, "language", operator)
             continue
         dst = body.register()
-        kind = Compare if operator in COMPARE else Binary
+        kind = Compare if compares else Binary
         if operator == "-":
             type_, sizes = common(type_, type_written(body, right)), sizes or receiver_of_size(body, right)
             body.emit(kind(*body.place(link), dst, operator, value, other))

@@ -45,7 +45,7 @@ def places(machine: Machine, first: Value, last: Value) -> list[Value] | None:
     here: Value = first
     while here != last and len(found) <= MAX_ITEMS:
         slot = as_iterator(here)
-        if slot is not None and isinstance(slot.base, Slot) and same_place(machine, slot, b):
+        if slot is not None and isinstance(slot.base, (Const, Slot)) and same_place(machine, slot, b):
             return found  # where a text ends, also by its number
         if (
             slot is None

@@ -8,6 +8,7 @@ get_parameter("rate", variable)                 written into the variable where 
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
@@ -159,18 +160,19 @@ def _hint_at(machine: Machine, slot: Value) -> str:
     return type(old.value).__name__ if isinstance(old, Const) and old.value is not None else ""
 
 
-def _get_below(call: NativeCall) -> Value:
-    """`get_parameters(node, prefix, map)`: those whose names begin so, by the rest of their names."""
+def _get_below(call: NativeCall, *, whole: bool = False) -> Value:
+    """`get_parameters(node, prefix, map)`: those whose names begin so, by the rest of their names (`whole`: by their names)."""
     machine = call.machine
-    node, prefix, found = node_of(call, call.args[0]), text_of(given(call, 1)), read(machine, call.args[2])
+    node, begin, found = node_of(call, call.args[0]), given(call, 1), read(machine, call.args[2])
+    prefix = text_of(begin)
     any_ = False
     for each in options(node):
         for key in table.labels(machine, each):
             label = text_of(key)
             if isinstance(found, Ref) and (not prefix or label.startswith(f"{prefix}.")):
                 value = table.value_of(machine, each, key)
-                short = Const(label.removeprefix(f"{prefix}.") if prefix else label)
-                sure = table.is_declared(machine, each, key) is True
+                short = Const(label.removeprefix(f"{prefix}.") if prefix and not whole else label)
+                sure = isinstance(begin, Const) and table.is_declared(machine, each, key) is True
                 dicts.store(machine, found, short, NONE if value is None else value, weak=not sure)
                 any_ = True
         if table.has_others(machine, each) and isinstance(found, Ref):
@@ -334,6 +336,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "rosward.default_in": _default_in,
     "rosward.get_parameter": _get,
     "rosward.get_parameters": _get_below,
+    "rosward.get_whole_parameters": partial(_get_below, whole=True),
     "rosward.given_parameters": _given_overrides,
     "rosward.has_parameter": _of_node("rclpy.node.Node.has_parameter"),
     "rosward.is_given": _of_node("_rosward.is_given"),

@@ -331,9 +331,19 @@ _MADE: Final[dict[str, Trait]] = {
     **dict.fromkeys(("invoke_result", "result_of"), lambda _types: _unknown("invoke_result")),
 }
 
+_CONCEPTS: Final[dict[str, Trait]] = {
+    "same_as": _is_same,
+    "convertible_to": _is_convertible,
+    "derived_from": lambda types: _is_base_of(types[::-1]),
+    "integral": _QUESTIONS["is_integral"],
+    "floating_point": _QUESTIONS["is_floating_point"],
+    **{name: _asked(name) for name in ("signed_integral", "unsigned_integral", "invocable", "constructible_from")},
+}
+
 TRAITS: Final[dict[str, Trait]] = {
     **{f"std.{name}_v": trait for name, trait in _QUESTIONS.items()},
     **{f"std.{name}_t": trait for name, trait in _MADE.items()},
+    **{f"std.{name}": trait for name, trait in _CONCEPTS.items()},
     "std.void_t": _void,
     "std.type_identity_t": _first,
 }

@@ -88,6 +88,7 @@ _STD: Final[dict[str, Shape]] = {
     **dict.fromkeys(("multimap", "unordered_multimap"), Shape.MULTIMAP),
     **dict.fromkeys(("variant", "any"), Shape.ANY),
     **dict.fromkeys(("size_t", "ssize_t", "ptrdiff_t", "byte", "streamsize", "time_t", "errc", "intmax_t"), Shape.INT),
+    **dict.fromkeys(("strong_ordering", "weak_ordering", "partial_ordering"), Shape.INT),
     **dict.fromkeys(("uintptr_t", "intptr_t", "uintmax_t", "max_align_t", "clock_t"), Shape.INT),
     **{
         f"{sign}int{kind}{bits}_t": Shape.INT

@@ -254,6 +254,8 @@ public:
     }
     return !below(prefix).empty();
   }
+  rcl_interfaces::msg::ListParametersResult list_parameters(
+    const std::vector<std::string> & prefixes, uint64_t depth) const;
   Descriptor describe_parameter(const std::string & name) const;
   std::vector<uint8_t> get_parameter_types(const std::vector<std::string> & names) const;
   node_interfaces::OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(

@@ -476,7 +476,36 @@ public:
   rcl_interfaces::msg::ListParametersResult list_parameters(
     const std::vector<std::string> & prefixes, uint64_t depth) const
   {
-    return rosward::message<rcl_interfaces::msg::ListParametersResult>();
+    if (prefixes.size() != 1) {  // of several, they come in one order
+      return rosward::message<rcl_interfaces::msg::ListParametersResult>();
+    }
+    const std::string & prefix = prefixes.front();
+    std::map<std::string, rosward::value> found;
+    rosward::get_whole_parameters(_node, prefix, found);
+    rcl_interfaces::msg::ListParametersResult listed;
+    if (has_parameter(prefix)) {
+      _list(prefix, listed);
+    }
+    for (const auto & each : found) {
+      const std::string below = each.first.substr(prefix.size() + 1);
+      const size_t dots = std::count(below.begin(), below.end(), '.');
+      if (depth == 0 || dots < depth) {
+        _list(each.first, listed);
+      }
+    }
+    return listed;
+  }
+  static void _list(const std::string & name, rcl_interfaces::msg::ListParametersResult & listed)
+  {
+    listed.names.push_back(name);
+    const auto last = name.rfind('.');
+    if (last == std::string::npos) {
+      return;
+    }
+    const std::string above = name.substr(0, last);
+    if (std::find(listed.prefixes.begin(), listed.prefixes.end(), above) == listed.prefixes.end()) {
+      listed.prefixes.push_back(above);
+    }
   }
   auto get_parameter_overrides() const
   {

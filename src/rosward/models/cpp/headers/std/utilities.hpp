@@ -111,4 +111,34 @@ from_chars_result from_chars(const char * first, const char * last, NumberT & va
     return {first, static_cast<std::errc>(34)};
   }
 }
+template<class Order>
+bool is_eq(Order order)
+{
+  return order == 0;
+}
+template<class Order>
+bool is_neq(Order order)
+{
+  return order != 0;
+}
+template<class Order>
+bool is_lt(Order order)
+{
+  return order < 0;
+}
+template<class Order>
+bool is_lteq(Order order)
+{
+  return order <= 0;
+}
+template<class Order>
+bool is_gt(Order order)
+{
+  return order > 0;
+}
+template<class Order>
+bool is_gteq(Order order)
+{
+  return order >= 0;
+}
 }  // namespace std
