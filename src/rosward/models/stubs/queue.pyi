@@ -74,9 +74,7 @@ class Queue:
         return self._get()
     def _lacks(self):
         """Whether there is surely nothing in it."""
-        if not self._is_exact() and (self._own is not None or not _none_yet(self._items)):
-            return False
-        return not self._qsize()  # a class may keep them elsewhere
+        return not self._qsize() if self._is_exact() else self._own is None and _none_yet(self._items)
     def qsize(self):
         return self._qsize() if self._is_exact() else unknown('live', 'queue.Queue.qsize', 'int')
     def empty(self):
