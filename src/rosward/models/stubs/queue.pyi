@@ -7,8 +7,6 @@ from collections import deque
 def _any(items): ...
 @native
 def _alone(): ...
-@native
-def _none_yet(items): ...
 
 class Empty(Exception): ...
 class Full(Exception): ...
@@ -55,7 +53,7 @@ class Queue:
         return items.pop(0) if self._own is None else items.popleft()
     def put(self, item, block=True, timeout=None):
         if not self._is_exact():
-            if self.maxsize > 0 and not block and self._items:
+            if self.maxsize > 0 and not block:
                 _any(self._items)  # how many there are decides whether it is full
         elif not block and self.full():
             raise Full
@@ -65,16 +63,11 @@ class Queue:
     def get(self, block=True, timeout=None):
         if not self._is_exact():
             spin()
-        if (not block or timeout is not None) and self._lacks():
+        elif (not block or timeout is not None) and not self._qsize():
             raise Empty
         return self._get()
     def get_nowait(self):
-        if self._lacks():
-            raise Empty
-        return self._get()
-    def _lacks(self):
-        """Whether there is surely nothing in it."""
-        return not self._qsize() if self._is_exact() else self._own is None and _none_yet(self._items)
+        return self.get(False) if self._is_exact() else self._get()
     def qsize(self):
         return self._qsize() if self._is_exact() else unknown('live', 'queue.Queue.qsize', 'int')
     def empty(self):

@@ -215,23 +215,10 @@ def _unwind(call: NativeCall) -> Value:
     return call.machine.unwind(known, exception)
 
 
-_QUEUED: Final = "queue._any"
-
-
 def _any_of(call: NativeCall) -> Value:
-    """queue._any(items): one of them; what another thread may put, where there are none.
-
-    A callback that waits for the first one goes no further: it runs again when that is there.
-    """
+    """queue._any(items): one of them; what another thread may put, where there are none."""
     found = joined_elements(call, call.args[0])
-    if found is not UNBOUND or (call.machine.in_callback and call.name == _QUEUED):
-        return found
-    return call.machine.unknown(Cause.CALL, call.name.replace("._any", ".Queue.get"))
-
-
-def _none_yet(call: NativeCall) -> Value:
-    """queue._none_yet(items): whether a callback finds nothing, since nothing was ever put."""
-    return Const(call.machine.in_callback and joined_elements(call, call.args[0]) is UNBOUND)
+    return call.machine.unknown(Cause.CALL, call.name.replace("._any", ".Queue.get")) if found is UNBOUND else found
 
 
 def _alone(call: NativeCall) -> Value:
@@ -323,9 +310,8 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "inspect._kind_of": _kind_of,
     "inspect._yields": _yields,
     "inspect._yields_awaited": _yields_awaited,
-    _QUEUED: _any_of,
+    "queue._any": _any_of,
     "queue._alone": _alone,
-    "queue._none_yet": _none_yet,
     "asyncio._any": _any_of,
     "numpy._elements": _elements,
 }
