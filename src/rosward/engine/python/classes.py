@@ -123,6 +123,8 @@ def make_by_call(machine: Engine, meta: Value, args: tuple[Value, ...], keywords
         cls = pending
         if plain != pending.bases:
             cls = Class(cls.address, cls.name, cls.qualname, cls.module, plain, _linearise(plain), cls.place, cls.stub)
+        if isinstance(meta, Class):  # its `__new__` may have called another metaclass
+            machine.put(cls.address, machine.at(cls.address).replace(cls=meta))
     else:
         label = name.value if isinstance(name, Const) else "class made by type()"
         address = machine.place_at(("type", machine.place, name, plain), Obj("class", meta))

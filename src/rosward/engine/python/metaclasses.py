@@ -78,11 +78,7 @@ def finish(
             made = machine.call(maker, (meta, *arguments), keywords)
         finally:
             machine.making.pop()
-    if starter.__class__ is Function:
-        for option in options(made):
-            if isinstance(option, Class):
-                machine.call(BoundMethod(option, starter), arguments, keywords)
-    return made
+    return start(machine, meta, made, arguments, keywords)
 
 
 def start(machine: Engine, meta: Class, made: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
