@@ -205,6 +205,7 @@ _REPEATS = (
 )
 
 
+@interpreted
 def test_a_call_that_would_do_the_same_is_not_made(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "main.py").write_text(_REPEATS, encoding="utf-8")
     recalls = noted_recalls(monkeypatch)

@@ -282,7 +282,7 @@ def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:
 _FEW: Final = 12
 """Of more objects, those that code nobody knows gets hold of are one, if libraries made them."""
 _OPENED, _WRITTEN = "opened", "written"
-"""Under which keys of a stream stands which file it leads to, and what was written to that."""
+"""Under the one key stands what was written to the file of a stream; nothing is written under the other: it reads what the stream holds besides."""
 _WRITES: Final = frozenset(f"std.stringstream.{name}" for name in ("write", "put"))
 """How streams are written to but by `<<`."""
 
