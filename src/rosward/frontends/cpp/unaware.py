@@ -28,16 +28,6 @@ _LIBRARIES: Final = re.compile(
 )
 """Those of libraries that have nothing to do with ROS."""
 _WORD: Final = re.compile(r"[A-Za-z_]\w*")
-_SAYS_NOTHING: Final = re.compile(
-    r"""//[^\n]*|/\*.*?\*/|R"([^()\\\s]{0,16})\(.*?\)\1"|"(?:[^"\\\n]|\\.)*"|(?<!\w)(?:u8|[uUL])?'(?:[^'\\\n]|\\[^\n]{1,8}?)'""",
-    re.DOTALL,
-)
-"""Comments, texts and characters."""
-_MEMBER: Final = re.compile(
-    r"(?:(?<=[\w)\]])\s*\.(?![.\d])|(?<=\w)(?<!const)(?<!noexcept)(?<!mutable)(?<!constexpr)(?<!volatile)->)"
-    r"\s*[A-Za-z_]\w*\b(?!\s*(?:::|<))"
-)
-"""What is looked up in an object: no name that stands in a namespace. (`) ->`, `const->` and the like may come before the type of a result.)"""
 _LASTING: Final = re.compile(rb"\b(?:static|thread_local|extern)\b")
 _LEADING: Final = re.compile(r"\*|\b(?:auto|mutable|any|reference_wrapper|Ptr|SharedPtr|\w*_ptr|\w*function)\b")
 """What is of such a type, or has something of it, may lead to what changes though it is a constant."""
@@ -146,11 +136,10 @@ def _words(file: FileSymbols) -> set[str] | None:
     prepared = file.parsed.prepared
     if prepared.registrations or not all(_DATA.fullmatch(n) or _LIBRARIES.fullmatch(n) for n in prepared.external):
         return None
-    text = _SAYS_NOTHING.sub(" ", prepared.text)
-    words = set(_WORD.findall(text))
+    words = set(_WORD.findall(prepared.text))
     if not words.isdisjoint(modelled() | _CREATING) or any(word.startswith("create_") for word in words):
         return None
-    return set(_WORD.findall(_MEMBER.sub(" ", text)))
+    return words
 
 
 def _names(file: FileSymbols) -> Iterator[tuple[str, Scope, bool]]:
