@@ -131,10 +131,13 @@ _OF_CPP: Final = {
 }
 
 
-def _check(folder: Path, names: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def _check(program: Path, template: str, parts: dict[str, str], names: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each topic is published, or a pattern that has it, where all callbacks that are alike are followed as one."""
     monkeypatch.setattr(alike, "_MANY", 3)
-    network = rosward.extract(folder, budget=Budget(entry_coarse=0)).network
+    for word, part in parts.items():
+        template = template.replace(word, part)
+    program.write_text(template, encoding="utf-8")
+    network = rosward.extract(program.parent, budget=Budget(entry_coarse=0)).network
     entities = [e for node in network.nodes for e in node.entities if e.kind is EntityKind.PUBLISHER and not e.system]
     made = {str(e.name) for e in entities} - {"/*"}
     assert all(any(fnmatch.fnmatchcase(f"/{name}", each) for each in made) for name in names.split())
@@ -142,18 +145,12 @@ def _check(folder: Path, names: str, monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize(("parts", "names"), _OF_PYTHON.items())
 def test_python(parts: tuple[str, str, str], names: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    program = _PYTHON
-    for word, part in zip(("REGISTER", "HEAR", "MAKE"), parts, strict=True):
-        program = program.replace(word, part)
-    (tmp_path / "main.py").write_text(program, encoding="utf-8")
-    _check(tmp_path, names, monkeypatch)
+    written = dict(zip(("REGISTER", "HEAR", "MAKE"), parts, strict=True))
+    _check(tmp_path / "main.py", _PYTHON, written, names, monkeypatch)
 
 
 @interpreted
 @pytest.mark.parametrize(("parts", "names"), _OF_CPP.items())
 def test_cpp(parts: tuple[str, str, str], names: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    program = _CPP
-    for word, part in zip(("CALLBACK", "HEAR", "MAKE"), parts, strict=True):
-        program = program.replace(word, part)
-    (tmp_path / "main.cpp").write_text(program, encoding="utf-8")
-    _check(tmp_path, names, monkeypatch)
+    written = dict(zip(("CALLBACK", "HEAR", "MAKE"), parts, strict=True))
+    _check(tmp_path / "main.cpp", _CPP, written, names, monkeypatch)

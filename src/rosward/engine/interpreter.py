@@ -74,9 +74,7 @@ class Interpreter(Answers):
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last
         self.unheld: set[int] = set()  # what nothing holds any more of the last time that callbacks ran (`unheld.py`)
-        self.lasting: set[int] = (
-            set()
-        )  # where variables stand to which nothing leads, and that last as long as the program
+        self.lasting: set[int] = set()  # variables to which nothing leads, and that last as long as the program
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, Running] = {}  # the generators that run now, by address
         self.ways: dict[str, dict[int, Way]] = {}  # how each body, by its key, leads to its yields

@@ -19,6 +19,7 @@ from rosward.flow.body import Body
 from rosward.flow.calls import KINDS, send
 from rosward.flow.cpp.values import (
     nameless,
+    objects,
     slots,
     value,
 )
@@ -287,7 +288,7 @@ def begin(walker: Walker, activation: Activation, arguments: list[Mark], given: 
         everything = Mark(given)
         for mark in arguments:
             everything = everything.joined(Mark(mark.mask, frozenset(r for r in mark.roots if not isinstance(r, int))))
-        arrived = frozenset[Root](r for mark in arguments for r in mark.roots if isinstance(r, int))
+        arrived = frozenset[Root]().union(*map(objects, arguments))
         result = callees(walker, body, seen, everything, arrived=arrived)
         return NOTHING if result is None else result.under(pc)
     finally:

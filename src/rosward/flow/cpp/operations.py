@@ -21,6 +21,7 @@ from rosward.flow.cpp.values import (
     field,
     keys,
     nameless,
+    objects,
     operands,
     settled,
     slots,
@@ -302,11 +303,6 @@ def _methods(walker: Walker, owner: Mark, method: str, seen: Seen) -> tuple[str,
     return tuple(sorted(f"{name}.{method}" for name in named))
 
 
-def _objects(mark: Mark) -> frozenset[Root]:
-    """The objects of a value that have an address."""
-    return frozenset(r for r in mark.roots if isinstance(r, int))
-
-
 def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     """`stream << value` among others."""
     left, right = body.registers[op.left], body.registers[op.right]
@@ -316,7 +312,7 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     if op.operator == "<<" and kind:
         if kind != "text":
             out(walker, kind, mask)
-        outside.written_to(walker, kind, Mark(0, _objects(held) or slots(left)), mask)
+        outside.written_to(walker, kind, Mark(0, objects(held) or slots(left)), mask)
         body.registers[op.dst] = Mark(left.mask, left.roots)
         return
     if op.operator == ">>" and kind == "file":

@@ -18,6 +18,7 @@ from rosward.flow.body import Body
 from rosward.flow.cpp.values import (
     keys,
     nameless,
+    objects,
     slots,
     under_choice,
     value,
@@ -330,7 +331,7 @@ def strange(
     for mark in marks:
         held = value(walker, mark)
         mask |= memory.deep(held)
-        behind |= nameless(held) | frozenset(r for r in held.roots if isinstance(r, int))
+        behind |= nameless(held) | objects(held)
         if mark is marks[0] or mark is marks[-1]:  # what it is called on
             behind |= slots(mark)
         reached |= slots(mark)

@@ -31,6 +31,11 @@ def nameless(mark: Mark) -> frozenset[Root]:
     return frozenset([r for r in mark.roots if r.__class__ is not int and r[0] != "slot"])  # type: ignore[index]  # it is a tuple
 
 
+def objects(mark: Mark) -> frozenset[Root]:
+    """The objects that the interpretation knows, by their addresses."""
+    return frozenset([r for r in mark.roots if r.__class__ is int])
+
+
 def slots(mark: Mark) -> frozenset[Root]:
     """The slots that a register leads to."""
     return frozenset([r for r in mark.roots if r.__class__ is not int and r[0] == "slot"])  # type: ignore[index]  # it is a tuple

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 CLASSES: Final = frozenset({"class_specifier", "struct_specifier", "union_specifier"})
 _GROUPS: Final = frozenset({"translation_unit", "declaration_list", "field_declaration_list", "linkage_specification"})
 _DECLARATIONS: Final = frozenset({"declaration", "field_declaration", "function_definition", "type_definition"})
+_MADE_UP: Final = (b"= default;", b"=default;")
+"""How a friend ends that is defined without a body."""
 
 
 class Declared(NamedTuple):
@@ -107,10 +109,6 @@ def namespace_at(parsed: Parsed, line: int) -> Scope:
                 elif child.type in _GROUPS:
                     waiting.append(_Waiting(child, scope))
     return scope
-
-
-_MADE_UP: Final = (b"= default;", b"=default;")
-"""How a friend ends that is defined without a body."""
 
 
 def _friends(parsed: Parsed, of: Declared) -> Iterator[Declared]:

@@ -46,8 +46,10 @@ class Merged:
         return found
 
     def _functions(self, declared: Sequence[CppSymbol]) -> Iterator[CppSymbol]:
-        whole = [s for s in declared if s.defined or _is_made_up(s)]
-        open_ = [s for s in declared if s not in whole]
+        whole: list[CppSymbol] = []
+        open_: list[CppSymbol] = []
+        for symbol in declared:
+            (whole if symbol.defined or _is_made_up(symbol) else open_).append(symbol)
         parts: dict[CppSymbol, list[CppSymbol]] = {s: [] for s in whole}
         rest: list[CppSymbol] = []
         for symbol in open_:
