@@ -55,6 +55,8 @@ def test_text_that_is_no_parameter(value: str) -> None:
         ("1", "bool", "True"),
         ("yes", "bool", "True"),
         ("[1, 2]", "List[int]", "[1, 2]"),
+        ("[]", "List[…]", "[]"),
+        ("[a]", "List[…]", "['a']"),
         ("[1, 2]", "yaml", "[1, 2]"),
     ],
 )
@@ -62,7 +64,9 @@ def test_a_type_that_is_forced(value: str, kind: str, found: str) -> None:
     assert setting(tree.Typed(var("v"), kind), v=value) == (found, [])
 
 
-@pytest.mark.parametrize(("value", "kind"), [("x", "int"), ("1.5", "int"), ("2", "bool"), ("1", "List[int]")])
+@pytest.mark.parametrize(
+    ("value", "kind"), [("x", "int"), ("1.5", "int"), ("2", "bool"), ("1", "List[int]"), ("a", "List[…]")]
+)
 def test_a_type_that_does_not_fit(value: str, kind: str) -> None:
     assert setting(tree.Typed(var("v"), kind), v=value) == ("?", ["RW320"])
 

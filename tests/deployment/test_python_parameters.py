@@ -22,6 +22,8 @@ PARAMETERS = {
     "{'p': ParameterValue(LaunchConfiguration('p'), value_type=str), 'q': ParameterValue('1')}": (
         "{p: yaml $(var p) as str, q: '1'}"
     ),
+    "{'p': ParameterValue(LaunchConfiguration('p'), value_type=list[str])}": "{p: yaml $(var p) as List[…]}",
+    "{'p': ParameterValue(LaunchConfiguration('p'), value_type=typing.List[int])}": "{p: yaml $(var p) as List[…]}",
     "'a.yaml'": "file a.yaml",
     "[FindPackageShare('p'), '/a.yaml']": "file $(find-pkg-share p)/a.yaml",
     "PathJoinSubstitution([FindPackageShare('p'), 'a.yaml'])": "file $(path-join $(find-pkg-share p) a.yaml)",
@@ -46,7 +48,7 @@ def test_parameters(text: str, tmp_path: Path) -> None:
     files = Files(
         tmp_path,
         f"""
-        import yaml
+        import typing, yaml
         from pathlib import Path
         from nav2_common.launch import ReplaceString, RewrittenYaml
         from launch_ros.descriptions import Parameter, ParameterFile, ParameterValue

@@ -30,6 +30,7 @@ from rosward.location import Place
 
 _VALUE: Final = "launch_ros.parameter_descriptions.ParameterValue"
 _RULE: Final = "launch_ros.parameter_descriptions.Parameter"
+_LIST: Final = "List[…]"
 _FILE: Final = "launch_ros.parameter_descriptions.ParameterFile"
 _DEEPEST: Final = 20
 _MOST: Final = 5_000
@@ -193,10 +194,10 @@ class ParameterReader:
         return _is_plain(value) and not any(isinstance(o, Unknown) for o in options(value))
 
     def _type(self, value: Value | None) -> str | None:
-        """The name of a type: `str`, `List[int]`."""
+        """The name of a type: `str`; `List[…]` for `list[int]` and `List[int]`, of which nobody keeps what is in the brackets."""
         if isinstance(value, Native):
             name = value.name.removeprefix("builtins.")
-            return None if name in ("list", "tuple") else name
+            return _LIST if name == "list" else name
         if isinstance(value, External):
             return value.name.rpartition(".")[2]
         return None

@@ -18,7 +18,7 @@ import types
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Range, Slice, Tuple
 from rosward.domain.heap import CLASSES
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
@@ -68,7 +68,7 @@ def type_of(machine: Engine, value: Value) -> Value | None:
         # a generator, a coroutine, what `iter` gives, a view of a dict
         unclear = obj.kind == "generator" or obj.payload in (ITERATOR, VIEW)
         return None if unclear else obj.attrs.get(CLASSES, obj.cls)
-    if value.__class__ in (Const, Text, Tuple):
+    if value.__class__ in (Const, Text, Tuple, Range, Slice):
         return Native(f"builtins.{members.type_name(value)}")
     if value.__class__ is Unknown and value.hint and value.hint not in LOOSE_HINTS:
         return Native(f"builtins.{value.hint}")

@@ -28,7 +28,7 @@ from rosward.engine.running.frame import Frame, Snapshot
 from rosward.ir import ops
 from rosward.models.native import Items
 from rosward.models.python.containers.any_order import in_places, unordered
-from rosward.models.python.containers.lists import ITERATOR, VIEW, write_series
+from rosward.models.python.containers.lists import ITERATOR, VIEW, exhaust, write_series
 from rosward.models.python.operators import operators
 from rosward.records import NamedTuple
 
@@ -333,7 +333,9 @@ def series(machine: Engine, value: Value) -> Series:
         if iterator is UNBOUND:
             return Series()
         if iterator != value:
-            return machine.series(iterator)
+            found = machine.series(iterator)
+            exhaust(machine, iterator)
+            return found
     if isinstance(value, Ref) and machine.obj(value).kind not in ("list", "set", "dict"):
         return Series(*machine.iterate(value))
     return operators.series(machine, value)
@@ -383,7 +385,9 @@ def _iterate_instance(machine: Engine, value: Value) -> Items:
         if iterator is UNBOUND:
             return Items(())
         if iterator != value:
-            return machine.iterate(iterator)
+            found = machine.iterate(iterator)
+            exhaust(machine, iterator)
+            return found
     if attributes.method(machine, value, "__next__") is not None:
         return stepping.drain(machine, value)[0]
     method = attributes.method(machine, value, "__getitem__")

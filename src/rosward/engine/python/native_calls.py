@@ -11,15 +11,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
-from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Choice, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Value
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import contents
 from rosward.engine.python.specials import one_has
 from rosward.models.native import Arguments, NativeCall, NativeFunction, perform
-from rosward.models.python.containers.lists import ITERATOR, write_series
+from rosward.models.python.containers.lists import exhaust
 from rosward.models.python.contents import KINDS
 from rosward.models.python.contents import contents as held_by
 
@@ -34,7 +33,7 @@ _TAKE_LOOSE: Final = frozenset({"builtins.dict", "builtins.print", "builtins.zip
 _RUN_THROUGH: Final = frozenset(
     {
         *(f"builtins.{name}" for name in ("list", "tuple", "set", "frozenset", "dict", "sorted", "sum", "min", "max")),
-        *("str.join", "list.extend", "set.update", "dict.update"),
+        *("str.join", "bytes.join", "list.extend", "set.update", "dict.update"),
     }
 )
 """What takes all that an iterator has: nothing is left of it."""
@@ -57,8 +56,7 @@ def invoke(
     value = _on_contents(machine, native, NativeCall(machine, name, Arguments(given), keywords, loose, unsure))
     if name in _RUN_THROUGH:
         for arg in args:
-            if isinstance(arg, Ref) and machine.obj(arg).payload == ITERATOR:
-                write_series(machine, arg, Series(()))
+            exhaust(machine, arg)
     if frame is not None and op is not None:
         frame.op = op
     if is_open and value is not UNBOUND and name not in _TAKE_LOOSE and not name.startswith("_rosward."):

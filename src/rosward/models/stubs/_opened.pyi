@@ -4,29 +4,35 @@ from _rosward import reads_only, unknown
 from _rosward.launch import write_file
 
 class TextFile:
-    """`_left` is what is still to be read."""
+    """`_left` is what is still to be read; once lines are asked for, `_lines` holds it: who goes through them, and whoever else reads, share them."""
     closed = False
     mode = 'r'
     encoding = 'utf-8'
+    _nothing = ''
     def __init__(self, text, name):
         self._whole = text
         self._left = text
+        self._lines = iter(())
         self.name = name
     def read(self, size=-1):
         if size is None or size < 0:
-            text = self._left
-            self._left = ''
+            text = self._left + self._nothing.join(self._lines)
+            self._left = self._nothing
             return text
-        self._left = unknown('file', self.name, 'str')
-        return unknown('file', self.name, 'str')
+        self._left = self._somewhere()
+        return self._somewhere()
     def readlines(self, hint=-1):
         return self.read().splitlines(True)
     def readline(self, size=-1):
-        lines = self._left.splitlines(True)
-        self._left = ''.join(lines[1:])
-        return lines[0] if lines else ''
+        return next(self.__iter__(), self._nothing)
     def __iter__(self):
-        return iter(self.readlines())
+        if self._left:
+            self._lines = iter(self.readlines())
+        return self._lines
+    def __next__(self):
+        return next(self.__iter__())
+    def _somewhere(self):
+        return unknown('file', self.name, 'str')
     def __enter__(self):
         return self
     @reads_only
@@ -36,7 +42,8 @@ class TextFile:
     @reads_only
     def flush(self): ...
     def seek(self, offset, whence=0):
-        self._left = self._whole if offset == 0 and whence == 0 else unknown('file', self.name, 'str')
+        self._left = self._whole if offset == 0 and whence == 0 else self._somewhere()
+        self._lines = iter(())
         return offset
     @reads_only
     def tell(self) -> int: ...
@@ -53,17 +60,9 @@ class BinaryFile(TextFile):
     """The same, opened to be read as bytes."""
     mode = 'rb'
     encoding = None
-    def read(self, size=-1):
-        if size is None or size < 0:
-            data = self._left
-            self._left = b''
-            return data
-        self._left = unknown('file', self.name, 'bytes')
+    _nothing = b''
+    def _somewhere(self):
         return unknown('file', self.name, 'bytes')
-    def readline(self, size=-1):
-        lines = self._left.splitlines(True)
-        self._left = b''.join(lines[1:])
-        return lines[0] if lines else b''
 
 class WrittenFile:
     """A file that Python code of a launch file writes. What it holds is known at once, not only when it is closed."""

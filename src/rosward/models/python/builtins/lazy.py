@@ -29,9 +29,13 @@ def is_drained(machine: Machine, value: Value) -> bool:
 
 
 def shared(call: NativeCall, values: tuple[Value, ...]) -> bool:
-    """Whether several of the values take from one iterator, or one is followed step by step."""
+    """Whether several of the values take from one iterator (an object may keep one, as a file does), or one is followed step by step."""
     twice = [v for number, v in enumerate(values) if v in values[:number]]
-    return any(is_drained(call.machine, v) for v in twice) or stepped(call, values)
+    return any(is_drained(call.machine, v) or _is_instance(call.machine, v) for v in twice) or stepped(call, values)
+
+
+def _is_instance(machine: Machine, value: Value) -> bool:
+    return isinstance(value, Ref) and machine.obj(value).kind == "instance"
 
 
 def acts(machine: Machine, function: Value) -> bool:
@@ -43,7 +47,7 @@ def _acts(machine: Machine, function: Value) -> bool:
     if isinstance(function, (BoundMethod, Partial)):
         return _acts(machine, function.function)
     if isinstance(function, Ref):
-        return machine.obj(function).kind == "instance"
+        return _is_instance(machine, function)
     return isinstance(function, (Function, Class))
 
 

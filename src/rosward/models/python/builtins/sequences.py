@@ -14,7 +14,6 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Value
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
-from rosward.models.python.asked import is_own
 from rosward.models.python.builtins.attributes import has_attribute
 from rosward.models.python.builtins.lazy import acts, lazily, shared, stepped
 from rosward.models.python.comparing.compare import comparable
@@ -143,7 +142,7 @@ def _iterator_of(machine: Machine, value: Value) -> Value:
         obj = machine.obj(value)
         if obj.payload == ITERATOR or obj.kind == "generator":
             return value
-        if obj.kind == "instance" and has_attribute(machine, value, "__iter__") and is_own(machine, value, "__iter__"):
+        if obj.kind == "instance" and has_attribute(machine, value, "__iter__"):
             made = machine.call(machine.load_attr(value, "__iter__"), ())
             if made is UNBOUND or all(machine.is_stepped(o) for o in options(made)):
                 return made

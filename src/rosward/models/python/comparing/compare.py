@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Tuple
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Slice, Tuple
 from rosward.domain.enumerated import Whole, same_number
 from rosward.domain.heap import Shuffled
 from rosward.domain.series import Series
@@ -146,7 +146,7 @@ def comparable(machine: Machine, value: Value, depth: int = MAX_DEPTH) -> object
 
 
 _TUPLE: Final = Native("builtins.tuple")
-_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range"}
+_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range", Slice: "slice"}
 
 
 def kind_of(machine: Machine, value: Value) -> str:

@@ -57,6 +57,12 @@ def write_series(machine: Machine, ref: Ref, series: Series) -> None:
     machine.update(ref, obj.replace(**fields_of(series, obj.kind, MAX_ITEMS)))
 
 
+def exhaust(machine: Machine, iterator: Value) -> None:
+    """Nothing is left of an iterator over items of which all were taken: whoever has kept it sees none of them."""
+    if isinstance(iterator, Ref) and machine.obj(iterator).payload == ITERATOR:
+        write_series(machine, iterator, Series(()))
+
+
 def add_to_rest(machine: Machine, ref: Ref, values: Iterable[Value]) -> None:
     """The number of elements is no longer known, and these may be among them."""
     obj = machine.obj(ref)

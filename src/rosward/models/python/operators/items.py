@@ -220,12 +220,16 @@ def _store_element(machine: Machine, ref: Ref, index: Value, value: Value, weak:
 
 def _store_slice(machine: Machine, ref: Ref, index: Slice, value: Value, weak: bool) -> None:
     old, new, ends = machine.obj(ref).series(), machine.series(value), slice_of(index)
-    if not weak and ends is not None and ends.step in (None, 1):
-        if old.exact and new.exact:
-            changed = list(old.head)
+    if not weak and ends is not None and old.exact and new.exact:
+        changed = list(old.head)
+        try:
             changed[ends] = new.head
+        except ValueError as error:  # a slice with steps takes as many as it has places
+            machine.die("ValueError", str(error))
+        else:
             write(machine, ref, changed)
-            return
+        return
+    if not weak and ends is not None and ends.step in (None, 1):
         begin = ends.start or 0
         if begin >= 0 and (ends.stop is None or 0 <= begin <= ends.stop):
             parts = [old.part(slice(begin)), new, *([] if ends.stop is None else [old.part(slice(ends.stop, None))])]

@@ -22,6 +22,7 @@ from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,
     affordable,
+    all_of,
     exact_list,
     from_python,
     hole_from,
@@ -300,6 +301,21 @@ def _join(call: NativeCall) -> Value:
     return spread(one, *call.args[:2])
 
 
+def _join_bytes(call: NativeCall) -> Value:
+    """separator.join(items), of bytes."""
+    machine = call.machine
+
+    def one(separator: Value, iterable: Value) -> Value:
+        items = machine.iterate(iterable)
+        pieces = [piece.value for piece in (separator, *items.known) if isinstance(piece, Const)]
+        known = [piece for piece in pieces if isinstance(piece, bytes)]
+        if items.rest is not None or len(known) <= len(items.known):
+            return unknown_from(machine, call.name, "bytes", separator, *all_of(items))
+        return Const(known[0].join(known[1:]), origins(separator, *items.known))
+
+    return spread(one, *call.args[:2])
+
+
 _Handler = Callable[[Machine, str, Parts, Arguments], Value | None]
 _HANDLERS: Final[dict[str, _Handler]] = {
     **dict.fromkeys(("upper", "lower", "title", "capitalize", "swapcase", "casefold"), _case),
@@ -319,5 +335,6 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     **{f"bytes.{name}": native(_method, _LEAST.get(name, 1)) for name in _BYTES},
     **FORMAT_NATIVES,
     "str.join": native(_join, 2),
+    "bytes.join": native(_join_bytes, 2),
     **TRANSLATE_NATIVES,
 }
