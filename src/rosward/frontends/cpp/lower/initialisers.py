@@ -79,10 +79,10 @@ def given(body: Body, node: Node | None, *, copy: bool = False) -> Given:
     return Given(arguments(body, node), form)
 
 
-def construct(body: Body, node: Node, type_: int, what: Given) -> int:
-    """A new value of a type."""
+def construct(body: Body, node: Node, type_: int, what: Given, *, local: bool = False) -> int:
+    """A new value of a type; `local`: of a variable of a block."""
     dst = body.register()
-    body.emit(Construct(*body.place(node), dst, type_, what.arguments, what.form))
+    body.emit(Construct(*body.place(node), dst, type_, what.arguments, what.form, local=local))
     return dst
 
 
