@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body
-from rosward.frontends.cpp.lower.initialisers import Given, construct, given
+from rosward.frontends.cpp.lower.initialisers import Given, construct, given, is_place
 from rosward.frontends.cpp.lower.literals import is_of
-from rosward.frontends.cpp.lower.lvalues import is_lvalue, is_place
+from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import parts_of
 from rosward.frontends.cpp.lower.seen import over, own, part_counts, written_cast
 from rosward.frontends.cpp.lower.survey import word

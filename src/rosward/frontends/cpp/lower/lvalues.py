@@ -10,8 +10,6 @@ from rosward.frontends.cpp.lower.survey import is_through, word
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-    from rosward.frontends.cpp.lower.body import Body
-
 _DEPTH: Final = 100
 _LVALUES: Final = frozenset(
     {
@@ -19,7 +17,6 @@ _LVALUES: Final = frozenset(
         "assignment_expression",
     }
 )  # fmt: skip
-_NAMES: Final = frozenset({"qualified_identifier", "field_expression"})
 
 
 def is_lvalue(node: Node) -> bool:
@@ -56,11 +53,3 @@ def kind_of_result(node: Node) -> Literal["result", "constant", "moved"]:
     text = word(function)
     is_cast = text.startswith("static_cast<") and text.rstrip("> ").endswith("&&")
     return "constant" if text == "std::as_const" else "moved" if text == "std::move" or is_cast else "result"
-
-
-def is_place(body: Body, what: Node) -> bool:
-    """Whether `decltype(auto)` stands for a reference to a value, or, where that is new, for what lives as long."""
-    if what.type == "identifier":  # not in parentheses: of the type of the variable
-        variable = body.variable(word(what))
-        return variable is not None and variable.reference
-    return what.type == "call_expression" or (is_lvalue(what) and what.type not in _NAMES)

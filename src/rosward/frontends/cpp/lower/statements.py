@@ -14,10 +14,10 @@ from rosward.frontends.cpp.lower import narrowing
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.choices import statements
 from rosward.frontends.cpp.lower.declarations import condition
-from rosward.frontends.cpp.lower.initialisers import construct, given
+from rosward.frontends.cpp.lower.initialisers import construct, given, is_place
 from rosward.frontends.cpp.lower.jumps import goto, leaves
 from rosward.frontends.cpp.lower.literals import is_of
-from rosward.frontends.cpp.lower.lvalues import is_lvalue, is_place
+from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.narrowing import Outcome
 from rosward.frontends.cpp.lower.seen import own
 from rosward.frontends.cpp.lower.survey import word
