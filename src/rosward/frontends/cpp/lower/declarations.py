@@ -31,7 +31,7 @@ from rosward.frontends.cpp.lower.types import (
     within,
 )
 from rosward.frontends.cpp.lower.variables import Variable
-from rosward.frontends.cpp.lower.vexing import arguments_in, meant, referent
+from rosward.frontends.cpp.lower.vexing import arguments_in, combined, meant, referent
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.arithmetic import WRAPPING
 from rosward.ir.core import NO_REGISTER, Binary
@@ -94,7 +94,9 @@ def variable(
         what = Given(tuple(meant(body, each) for each in listed), "paren")
     if value is None and shape.type == "reference_declarator":
         what = value = referent(shape)
-        if value is None and has(shape, FUNCTIONS):
+        if value is None and type_node is not None:
+            if not has(shape, FUNCTIONS):
+                combined(body, type_node, shape)
             return None
     name = _name(shape)
     if name is None:
