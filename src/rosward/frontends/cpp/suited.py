@@ -143,7 +143,7 @@ _OWN_OPERATOR: Final = re.compile(
 _USING_PACK: Final = re.compile(r"(\busing\s+\w+\s*::\s*operator\s*\(\s*\)\s*)(\.\.\.)")
 
 _BITS: Final = re.compile(
-    r"(?<=[;{}:])(\s*(?!(?:case|default|goto|return|using)\b)(?:[A-Za-z_](?:\w|::)*\s+){1,4}[A-Za-z_]\w*\s*)(:\s*\w+)"
+    r"(?<=[;{}:])(\s*(?:(?!(?:case|class|default|enum|goto|return|struct|union|using)\b)[A-Za-z_](?:\w|::)*\s+){1,4}[A-Za-z_]\w*\s*)(:\s*\w+)"
     r"(?=\s*(?:=[^=;{}]{1,100}|\{[^;{}]{0,100}\})\s*;)"
 )
 """The width of a bit-field that has a value in its class: a bit-field holds what its type holds."""
