@@ -219,6 +219,23 @@ def test_sources_that_the_build_makes_are_missing(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("path", "names"),
+    [
+        ("esw/fw/lib", ["bridge"]),  # of a submodule that was not fetched
+        ("esw/fw", ["bridge"]),
+        ("esw/here/lib", ["bridge"]),
+        ("esw/here/gone", []),
+        ("esw/fwd/lib", []),
+    ],
+)
+def test_what_is_in_a_submodule_that_is_not_there_is_not_known(tmp_path: Path, path: str, names: list[str]) -> None:
+    modules = '[submodule "fw"]\n\tpath = esw/fw\n\turl = x\n[submodule "here"]\n\tpath = esw/here\n'
+    text = f"if(EXISTS ${{CMAKE_CURRENT_SOURCE_DIR}}/{path} AND NOT APPLE)\nadd_executable(bridge src/a.cpp)\nendif()"
+    build = built(tmp_path, text, **{".gitmodules": modules, "esw/here/lib/a.c": ""})
+    assert [*build.targets] == names
+
+
+@pytest.mark.parametrize(
     ("condition", "taken"),
     [
         ("1 AND NOT 0", "yes"),

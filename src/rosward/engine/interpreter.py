@@ -263,6 +263,8 @@ class Interpreter(Answers):
             obj.cls,
         )
         address = self.place_at(key, obj)
+        if frame.placed is not None:
+            frame.placed.append(address)
         if self.watch is not None:
             self.watch.made(address, site)
         return Ref(address)

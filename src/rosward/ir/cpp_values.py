@@ -124,12 +124,26 @@ class Convert(Op):
 
 @final
 class Construct(Op):
-    """dst = a new value of a type: `T x(a, b)`, `T{a}`, `T x;`, what `new T(a)` makes before its address is taken."""
+    """dst = a new value of a type: `T x(a, b)`, `T{a}`, `T x;`, what `new T(a)` makes before its address is taken.
 
-    __slots__ = ("arguments", "dst", "form", "type")
+    `local`: it is that of a variable of a block, which has ended where the same call comes to its declaration again.
+    """
 
-    def __init__(self, line: int, column: int, dst: int, type_: int, arguments: tuple[Argued, ...], form: Form) -> None:
+    __slots__ = ("arguments", "dst", "form", "local", "type")
+
+    def __init__(
+        self,
+        line: int,
+        column: int,
+        dst: int,
+        type_: int,
+        arguments: tuple[Argued, ...],
+        form: Form,
+        *,
+        local: bool = False,
+    ) -> None:
         super().__init__(line, column)
+        self.local = local
         self.dst = dst
         self.type = type_
         self.arguments = arguments

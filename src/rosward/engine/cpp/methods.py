@@ -116,7 +116,7 @@ def _is_apart(machine: Engine, ref: Ref) -> bool:
     return not any(isinstance(each, Class) for each in told)
 
 
-_OF_VARIANTS: Final = frozenset({"index", "emplace", "valueless_by_exception"})
+_OF_VARIANTS: Final = frozenset({"index", "emplace", "has_value", "type", "valueless_by_exception"})
 
 
 def _of_one(

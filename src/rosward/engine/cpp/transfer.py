@@ -16,6 +16,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Value
 from rosward.engine.cpp import (
     access,
+    again,
     as_type,
     assigning,
     calls,
@@ -161,8 +162,7 @@ def _construct(machine: Engine, op: cpp.Construct, frame: Frame) -> bool | None:
     type_ = frame.registers[op.type]
     args = decaying(machine, given(frame, op.arguments))
     frame.handed = frame.fresh
-    fresh = initialising.is_fresh(frame, op.arguments, args)
-    value = initialising.made(machine, type_, args, op.form, fresh=fresh)
+    value = again.made(machine, op, type_, args, fresh=initialising.is_fresh(frame, op.arguments, args))
     frame.op, frame.sequence = op, 0
     return _kept(frame, op.dst, value)
 

@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from rosward.domain.slots import TypeOf
+from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import FALSE, UNBOUND, Ref, Value
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Text, Value
 from rosward.engine.cpp import as_type, assigning, construct, names
 from rosward.engine.cpp.linked import linked
 from rosward.models.cpp.containers.compounds import alternative
@@ -36,6 +36,11 @@ def of_variant(
         return alternative(machine, value, declared())
     if name == "valueless_by_exception":
         return FALSE
+    if name in ("has_value", "type"):
+        if args or not _is_known(machine, value) or _has_own(machine, value, name):
+            return None
+        known = name == "has_value" and value != NONE  # null is what an empty `any` holds, and one of a pointer
+        return TRUE if known else machine.unknown(Cause.CALL, name, hint="bool" if name == "has_value" else "")
     return _emplaced(machine, slot, value, args, types, declared) if name == "emplace" and types else None
 
 
@@ -47,11 +52,7 @@ def _emplaced(
     types: tuple[Value, ...],
     declared: Callable[[], Value] | None,
 ) -> Value | None:
-    info = linked(machine).info(machine.obj(value).cls) if isinstance(value, Ref) else None
-    if info is not None:
-        if names.in_class(machine, info, "emplace") is not None:
-            return None
-    elif any(machine.library.native(f"{each}.emplace") is not None for each in method_types(machine, value)):
+    if _has_own(machine, value, "emplace"):
         return None
     type_, number = types[0], int_of(types[0])
     if number is not None:
@@ -63,3 +64,19 @@ def _emplaced(
     if made is UNBOUND or assigning.assign(machine, "=", slot, made) is UNBOUND:
         return UNBOUND
     return unboxed(machine, slot)
+
+
+def _has_own(machine: Engine, value: Value, name: str) -> bool:
+    """Whether the value itself has a method of that name, so that it is not one of a variant that holds it."""
+    info = linked(machine).info(machine.obj(value).cls) if isinstance(value, Ref) else None
+    if info is not None:
+        return names.in_class(machine, info, name) is not None
+    return any(machine.library.native(f"{each}.{name}") is not None for each in method_types(machine, value))
+
+
+def _is_known(machine: Engine, value: Value) -> bool:
+    """Whether a value is of a builtin type, one of the standard library, or a class all of whose bases are read."""
+    cls = machine.obj(value).cls if isinstance(value, Ref) else None
+    if isinstance(cls, Class):
+        return all(isinstance(base, Class) for each in cls.mro if isinstance(each, Class) for base in each.bases)
+    return isinstance(value, (Const, Text, Pointer)) or isinstance(cls, TypeOf)

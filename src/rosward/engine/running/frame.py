@@ -101,6 +101,8 @@ class Frame:
     `op` is the operation that is running.
     `fresh` is what the last call gave by value, so that nobody else has it; `handed` is that of an argument of the call that runs.
     `returned` is what the last call gave by reference, and the function that did.
+    `placed` collects the addresses of what an operation makes, where somebody asks for them; `declared` has those of the variables of blocks,
+    by the number of the operation that made each last.
     `uncertain` counts the enclosing branches of which it is not known whether they run. Where a generator runs, `yielded` collects what it
     gives, and `turns` holds for each loop that is running, by the number of the operation, its turn and what it keeps between two of them.
     """
@@ -110,12 +112,14 @@ class Frame:
         "cells",
         "code",
         "context",
+        "declared",
         "exits",
         "fresh",
         "handed",
         "module",
         "namespace",
         "op",
+        "placed",
         "registers",
         "returned",
         "seen",
@@ -146,6 +150,8 @@ class Frame:
         self.yielded: Yielded | None = None
         self.seen: Activation | None = None  # what is noted of it, where somebody watches
         self.turns: dict[int, tuple[Any, ...]] = {}
+        self.placed: list[int] | None = None
+        self.declared: dict[int, list[int]] = {}
         self.cast: dict[int, Value] = {}  # by register, the class of which a cast says that an object is
 
     def next(self) -> int:

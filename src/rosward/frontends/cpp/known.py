@@ -48,7 +48,7 @@ _LIBRARIES: Final = (
     "EIGEN_MAKE_ALIGNED_OPERATOR_NEW", "PCL_MAKE_ALIGNED_OPERATOR_NEW", "EIGEN_STRONG_INLINE inline", "EIGEN_ALWAYS_INLINE inline",
     "BOOST_FOREACH(X, Y) for (X : Y)", "BOOST_SERIALIZATION_ASSUME_ABSTRACT(X)", "BOOST_SERIALIZATION_SPLIT_MEMBER()",
     "BOOST_CLASS_EXPORT(X)",
-    "BOOST_CLASS_EXPORT_KEY(X)", "BOOST_CLASS_EXPORT_IMPLEMENT(X)", "BOOST_CLASS_VERSION(X, Y)", "__attribute__(X)", "__declspec(X)",
+    "BOOST_CLASS_EXPORT_KEY(X)", "BOOST_CLASS_EXPORT_IMPLEMENT(X)", "BOOST_CLASS_VERSION(X, Y)", "__attribute__(X)", "__declspec(X)", "_Pragma(X)",
     "__extension__", "__restrict__", "__restrict", "__inline__ inline",
     "BT_REGISTER_NODES(factory) extern \"C\" void BT_RegisterNodesFromPlugin(BT::BehaviorTreeFactory & factory)",
 )  # fmt: skip

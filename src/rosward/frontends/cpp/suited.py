@@ -33,6 +33,8 @@ Box(const char *) -> Box<std::string>;   nothing
 [this] [[nodiscard]] () {}               [this]               () {}
 template class Tree<Node>;               nothing: it runs nothing
 extern template int sum<int>(int);       the same
+unsigned on : 2 = 1;                     unsigned on     = 1;
+unsigned : 4;                                        ;
 
 Only the declarations of one `using` become wider: what stands behind them in the same line moves.
 """
@@ -140,6 +142,14 @@ _OWN_OPERATOR: Final = re.compile(
 """One that is called alone, as the object around has it: a declaration has a type before it."""
 _USING_PACK: Final = re.compile(r"(\busing\s+\w+\s*::\s*operator\s*\(\s*\)\s*)(\.\.\.)")
 
+_BITS: Final = re.compile(
+    r"(?<=[;{}:])(\s*(?:(?!(?:case|class|default|enum|goto|return|struct|union|using)\b)[A-Za-z_](?:\w|::)*\s+){1,4}[A-Za-z_]\w*\s*)(:\s*\w+)"
+    r"(?=\s*(?:=[^=;{}]{1,100}|\{[^;{}]{0,100}\})\s*;)"
+)
+"""The width of a bit-field that has a value in its class: a bit-field holds what its type holds."""
+_NO_NAME: Final = re.compile(rf"(?<=[;{{}}:])\s*(?:const\s+)?(?:std::)?{_BUILTIN}\s*:\s*\w+\s*(?=;)")
+"""Bits that have no name."""
+
 THROW: Final = "~~~~~"
 """What stands for a `throw` that is an operand: an operator that nobody writes."""
 OPERATOR: Final = "operato$"
@@ -182,6 +192,7 @@ def suited(text: str) -> str:
     text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", _TABLE.sub(r"\1 ", text))
     if "->" in text:
         text = _GUIDE.sub(_blank, text)
+    text = _NO_NAME.sub(_blank, _BITS.sub(lambda found: found[1] + blank(found[2]), text))
     text = _ATTRIBUTED.sub(_blank, _EMPTY.sub(r"\1 ", text))
     text = _CAPTURED.sub(lambda found: f"{found[1]}{found[2]}{blank(found[3])}", text)
     if "using" in text:

@@ -24,6 +24,7 @@ from rosward.source.cmake.reader import Handler
 from rosward.source.cmake.targets import Build, Definition
 from rosward.source.cmake.text import Command
 from rosward.source.cmake.variables import HOLE
+from rosward.source.submodules import is_not_fetched
 from rosward.source.surroundings import ROS_2
 
 _PLATFORM: Final[Mapping[str, str]] = {
@@ -98,6 +99,7 @@ class _Reader:
         distros: tuple[str, ...],
     ) -> None:
         self._top = folder
+        self._root = str(root)
         self._package = package
         self._depends = depends
         self._present = present
@@ -192,9 +194,11 @@ class _Reader:
         return None if "::" in name else False
 
     def has_path(self, path: str) -> bool | None:
-        """Whether there is a file or folder; nobody knows outside of the package."""
+        """Whether there is a file or folder; nobody knows outside of the package, and in a submodule that is not there."""
         inner = self._interpreter.inside(path)
-        return None if inner is None else disk.exists(inner)
+        if inner is None:
+            return None
+        return disk.exists(inner) or (None if is_not_fetched(inner, self._root) else False)
 
     def has_environment(self, name: str) -> bool | None:
         """Whether an environment variable is set; None where each shell has a value of its own."""

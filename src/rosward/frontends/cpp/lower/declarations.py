@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body
-from rosward.frontends.cpp.lower.initialisers import Given, construct, given
+from rosward.frontends.cpp.lower.initialisers import Given, construct, given, is_place
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.names import parts_of
@@ -31,7 +31,7 @@ from rosward.frontends.cpp.lower.types import (
     within,
 )
 from rosward.frontends.cpp.lower.variables import Variable
-from rosward.frontends.cpp.lower.vexing import arguments_in, meant, referent
+from rosward.frontends.cpp.lower.vexing import arguments_in, combined, meant, referent
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.arithmetic import WRAPPING
 from rosward.ir.core import NO_REGISTER, Binary
@@ -42,7 +42,6 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _AUTO: Final = frozenset({"placeholder_type_specifier", "auto"})
-_NAMES: Final = frozenset({"qualified_identifier", "field_expression"})
 _CLASSES: Final = frozenset({"class_specifier", "struct_specifier", "union_specifier", "enum_specifier"})
 _LASTING: Final = frozenset({"static", "thread_local"})
 
@@ -95,7 +94,9 @@ def variable(
         what = Given(tuple(meant(body, each) for each in listed), "paren")
     if value is None and shape.type == "reference_declarator":
         what = value = referent(shape)
-        if value is None and has(shape, FUNCTIONS):
+        if value is None and type_node is not None:
+            if not has(shape, FUNCTIONS):
+                combined(body, type_node, shape)
             return None
     name = _name(shape)
     if name is None:
@@ -134,7 +135,8 @@ def _one(
     static: bool,
     equals: bool,
 ) -> Variable:
-    reference = has(shape, REFERENCES) or (is_as_written(type_node) and is_place(body, what))
+    written = None if isinstance(what, Given) else what
+    reference = has(shape, REFERENCES) or (is_as_written(type_node) and written is not None and is_place(body, written))
     points = has(shape, POINTERS | ARRAYS | FUNCTIONS)
     number = "" if points or static else builtin(type_node)
     itself = isinstance(what, Given) or what is None or what.type != "lambda_expression"  # a lambda may call itself
@@ -178,7 +180,7 @@ def _one(
     elif reference and not isinstance(what, Given):
         body.write(node, found, _referred(body, node, type_node, shape, what))
     else:
-        body.write(node, found, initial(body, node, type_node, shape, what, equals=equals))
+        body.write(node, found, initial(body, node, type_node, shape, what, equals=equals, local=True))
         holds = not number and not has(shape, POINTERS | FUNCTIONS) and not builtin(type_node)
         if holds and found not in body.scopes[-1].objects:
             body.scopes[-1].objects.append(found)
@@ -191,20 +193,17 @@ def _single(value: Node) -> Node:
     return value.named_children[0] if is_list else value
 
 
-def is_place(body: Body, what: Node | Given | None) -> bool:
-    """Whether `decltype(auto)` stands for a reference to a value, or, where that is new, for what lives as long."""
-    if what is None or isinstance(what, Given):
-        return False
-    if what.type == "identifier":  # not in parentheses: of the type of the variable
-        variable = body.variable(word(what))
-        return variable is not None and variable.reference
-    return what.type == "call_expression" or (is_lvalue(what) and what.type not in _NAMES)
-
-
 def initial(
-    body: Body, node: Node, type_node: Node | None, shape: Node | None, what: Node | Given | None, *, equals: bool
+    body: Body,
+    node: Node,
+    type_node: Node | None,
+    shape: Node | None,
+    what: Node | Given | None,
+    *,
+    equals: bool,
+    local: bool = False,
 ) -> int:
-    """The first value of a variable by value."""
+    """The first value of a variable by value; `local`: of one that ends with a block."""
     auto = type_node is None or type_node.type in _AUTO
     if auto and isinstance(what, Given):  # `auto b(a);`
         if len(what.arguments) != 1:
@@ -231,7 +230,7 @@ def initial(
         body.emit(Convert(*body.place(node), dst, slot, kind, "buffer"))
         return dst
     made = what if isinstance(what, Given) else given(body, what, copy=equals)
-    return construct(body, node, kind, made)
+    return construct(body, node, kind, made, local=local)
 
 
 def _deduced(body: Body, value: Node, equals: bool) -> int:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.arithmetic import type_written
 from rosward.frontends.cpp.lower.body import Body, Want
+from rosward.frontends.cpp.lower.lvalues import is_lvalue
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import builtin, declared_type, type_of
 from rosward.ir.cpp import AddressOf, Argued, Braces, Construct, Convert, Deref, Form, MakeType
@@ -18,6 +19,9 @@ from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node
+
+
+_NAMES: Final = frozenset({"qualified_identifier", "field_expression"})
 
 
 class Given(NamedTuple):
@@ -79,11 +83,19 @@ def given(body: Body, node: Node | None, *, copy: bool = False) -> Given:
     return Given(arguments(body, node), form)
 
 
-def construct(body: Body, node: Node, type_: int, what: Given) -> int:
-    """A new value of a type."""
+def construct(body: Body, node: Node, type_: int, what: Given, *, local: bool = False) -> int:
+    """A new value of a type; `local`: of a variable of a block."""
     dst = body.register()
-    body.emit(Construct(*body.place(node), dst, type_, what.arguments, what.form))
+    body.emit(Construct(*body.place(node), dst, type_, what.arguments, what.form, local=local))
     return dst
+
+
+def is_place(body: Body, what: Node) -> bool:
+    """Whether `decltype(auto)` stands for a reference to a value, or, where that is new, for what lives as long."""
+    if what.type == "identifier":  # not in parentheses: of the type of the variable
+        variable = body.variable(word(what))
+        return variable is not None and variable.reference
+    return what.type == "call_expression" or (is_lvalue(what) and what.type not in _NAMES)
 
 
 def _literal(body: Body, node: Node, _want: Want) -> int:

@@ -13,8 +13,8 @@ from rosward.frontends.cpp.declarators import named
 from rosward.frontends.cpp.lower import narrowing
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.choices import statements
-from rosward.frontends.cpp.lower.declarations import condition, is_place
-from rosward.frontends.cpp.lower.initialisers import construct, given
+from rosward.frontends.cpp.lower.declarations import condition
+from rosward.frontends.cpp.lower.initialisers import construct, given, is_place
 from rosward.frontends.cpp.lower.jumps import goto, leaves
 from rosward.frontends.cpp.lower.literals import is_of
 from rosward.frontends.cpp.lower.lvalues import is_lvalue

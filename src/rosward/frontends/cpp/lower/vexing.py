@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is a declaration that reads like that of a function: `Guard guard(mutex);`, `Lamp & other(lamp);`?"""
+"""What is a declaration that reads like that of a function, or of a reference: `Guard guard(mutex);`, `Lamp & other(lamp);`, `archive & field;`?"""
 
 from __future__ import annotations
 
@@ -9,12 +9,13 @@ from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.casts import CASTS, Cast, by_value
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import FUNCTIONS, type_of, within
+from rosward.ir.core import Binary
 from rosward.ir.cpp import Argued, Convert, Invoke, Item
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-__all__ = ["arguments_in", "meant", "referent"]
+__all__ = ["arguments_in", "combined", "meant", "referent"]
 
 
 def referent(shape: Node) -> Node | None:
@@ -24,6 +25,16 @@ def referent(shape: Node) -> Node | None:
     if listed is None or len(listed) > 1 or listed[0].child_by_field_name("declarator") is not None:
         return None
     return listed[0].child_by_field_name("type")
+
+
+def combined(body: Body, type_node: Node, shape: Node) -> None:
+    """`archive & field;` reads like a reference that refers to nothing."""
+    inner = within(shape)
+    if inner is None:
+        body.unknown(shape, "syntax")
+        return
+    left, right, dst = body.slot(type_node), body.slot(inner), body.register()
+    body.emit(Binary(*body.place(shape), dst, "&", left, right))
 
 
 def arguments_in(declarator: Node) -> list[Node] | None:

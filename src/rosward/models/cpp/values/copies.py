@@ -39,6 +39,7 @@ __all__ = [
     "assigned",
     "copied",
     "for_each",
+    "is_copied",
     "opened",
     "several",
     "write",
@@ -174,7 +175,7 @@ def _copy_of(machine: Machine, ref: Ref, known: dict[int, Value], depth: int) ->
     if made is not None:
         return made
     obj = machine.obj(ref)
-    if obj.kind not in _COPIED or _never_copied(machine, obj.cls):
+    if not is_copied(machine, obj):
         return ref
     own = _own(machine, obj.cls, COPY)
     if own is not None:
@@ -284,6 +285,11 @@ def for_each(machine: Machine, series: Series, make: Callable[[Value], Value]) -
 def _own(machine: Machine, cls: Value, name: str) -> Value | None:
     """What a class itself says."""
     return machine.obj(Ref(cls.address)).attrs.get(name) if isinstance(cls, Class) else None
+
+
+def is_copied(machine: Machine, obj: Obj) -> bool:
+    """Whether handing on an object makes another one."""
+    return obj.kind in _COPIED and not _never_copied(machine, obj.cls)
 
 
 def _never_copied(machine: Machine, cls: Value) -> bool:
