@@ -50,6 +50,8 @@ _MOST: Final = 300_000
 
 Walks that come to their end take 5 times as many steps in small processes, and fewer in large ones; others would go on in vain.
 """
+_FIRST: Final = 30_000
+"""To go through all callbacks for the first time may take so many, or a quarter of all: those that took more have never come to their end."""
 _EVENTS: Final = {
     "message": ("topic", "subscription"),
     "service": ("service", "service_server"),
@@ -125,14 +127,18 @@ def _settle(walker: Walker, machine: Interpreter) -> bool:
     entries = list({_where(e): e for e in reversed(entries)}.values())[::-1]
     walker.threaded = machine.schedule_book.threads or any(e.event == "thread" for e in entries)
     walker.logs = any(e.event == "log" for e in entries)
-    for _ in range(_ROUNDS):
+    most = walker.most
+    for turn in range(_ROUNDS):
         walker.changed = False
         _main(walker)
         main_changed = walker.changed
+        if not turn:
+            walker.most = min(most, walker.shape.spent + max(_FIRST, most >> 2))
         for _ in range(_ROUNDS):
             walker.changed = False
             for entry in entries:
                 _callback(walker, entry)
+            walker.most = most
             if not walker.changed:
                 break
             main_changed = True
