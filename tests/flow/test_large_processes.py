@@ -6,11 +6,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from sampling import sample
 
 from rosward.models.stub_marks import StubMarks
-from tests.flow.robots import Case, said_strongly
-from tests.flow.test_flows import CASES as OF_ALL
-from tests.sampling import sample
+
+from .robots import Case, said_strongly
+from .test_flows import CASES as OF_ALL
 
 CASES = {
     "a view of an array": Case(

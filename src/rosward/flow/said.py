@@ -32,8 +32,14 @@ def told_by(machine: Interpreter) -> Callable[[str], bool]:
     linked = machine.linked
     if isinstance(linked, Linked):
         return InHeaders(linked.symbols.marked).tells
-    of_stubs, watched = machine.library.marks.tells, machine.budget.watched
-    return lambda name: of_stubs(name) or array_names.tells(name) or any(w.startswith(name) for w in watched)
+    marks, watched = machine.library.marks, machine.budget.watched
+
+    def tells(name: str) -> bool:
+        if marks.tells(name) or any(released.startswith(name) for released in watched):
+            return True
+        return array_names.tells(name) and marks.of(name) is not NO_MARK
+
+    return tells
 
 
 def wrong_marks(machine: Interpreter) -> Iterator[Finding]:
