@@ -140,6 +140,12 @@ class Heap:
                     if obj is not None:
                         yield (number << SHIFT) + offset, obj
 
+    def shared_pages(self) -> Iterable[tuple[int, Page]]:
+        """The pages by their numbers, to keep: whoever writes to this heap from now on writes to copies of them."""
+        if self._own:
+            self._own = set()
+        return self.pages.items()
+
     def items(self) -> Iterator[tuple[int, Obj]]:
         """All objects with their addresses."""
         for number, page in self.pages.items():

@@ -17,9 +17,11 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Super, Tuple
 from rosward.domain.heap import Obj
+from rosward.domain.memory import SHIFT, Page
 from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.suspended import Suspension
 from rosward.domain.values import Choice, Const, Function, Ref, Text, Unknown, Value
+from rosward.engine.running.schedule_book import PageLeads
 from rosward.engine.unknown.held import values_in
 
 if TYPE_CHECKING:
@@ -42,15 +44,11 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     if machine.advancing:
         return set()  # generators that are running hold values elsewhere
     held = {effect.address for effect in machine.log.nodes} | machine.lasting
-    inside: dict[int, list[int]] = {}  # where objects lead
-    first = machine.library.first_address
-    for address, obj in machine.state.heap.items():
-        found = [r.address for r in _refs(values_in(obj))]
-        found += _cells_of(obj)
-        if obj.kind in _LASTING or address < first or (address in machine.inner and not _is_message(obj)):
-            held.update(found)
-        else:
-            inside[address] = found
+    inside: dict[int, tuple[int, ...]] = {}  # where objects lead
+    for number, page in machine.state.heap.shared_pages():
+        leads = _leads_of(machine, number, page)
+        held.update(leads.held)
+        inside.update(leads.inside)
     held.update(r.address for r in _refs(machine.schedule_book.raised))
     arriving: Counter[int] = Counter()
     seen: set[tuple[int, int]] = set()
@@ -72,6 +70,32 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
                 held.add(address)
                 work.append(address)
     return inside.keys() - held
+
+
+def _leads_of(machine: Engine, number: int, page: Page) -> PageLeads:
+    """Where the objects of a page lead; most pages are those of the last time."""
+    kept, inner = machine.schedule_book.leads, machine.inner
+    before = kept.get(number)
+    if before is not None and before.page is page:
+        if before.inner == len(inner):
+            return before
+        if inner.keys().isdisjoint(before.inside):
+            found = kept[number] = before._replace(inner=len(inner))
+            return found
+    held: set[int] = set()
+    inside: dict[int, tuple[int, ...]] = {}
+    first = machine.library.first_address
+    for address, obj in enumerate(page, number << SHIFT):
+        if obj is None:
+            continue
+        to = [r.address for r in _refs(values_in(obj))]
+        to += _cells_of(obj)
+        if obj.kind in _LASTING or address < first or (address in inner and not _is_message(obj)):
+            held.update(to)
+        else:
+            inside[address] = tuple(to)
+    found = kept[number] = PageLeads(page, len(inner), frozenset(held), inside)
+    return found
 
 
 def _is_message(obj: Obj) -> bool:
