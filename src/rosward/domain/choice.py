@@ -70,25 +70,32 @@ def join(left: Value, right: Value) -> Value:
         if left.__class__ is Const and right.__class__ is Const and _are_alike(left, right):
             return Const(left.value, left.origins | right.origins)
         return Choice((right, left) if left.__class__ is Unknown else (left, right))
-    elif len(right.options) < MAX_NUMBERS:
+    else:
         found_first = _joined_first(left, right)
         if found_first is not None:
             return found_first
     return join_all((*options(left), *options(right)))
 
 
-def _joined_first(value: Value, several: Choice) -> Choice | None:
+def _joined_first(value: Value, several: Choice) -> Value | None:
     """The join of one value and some that are known already; None where that takes longer to tell."""
     known = several.options
     last = known[-1]
     if value.__class__ is Unknown:
         if last.__class__ is not Unknown:
-            return Choice((*known, value))
-        both = _join_unknown(value, last)
-        return several if both == last else Choice((*known[:-1], both))
-    if value == known[0]:
+            found = (*known, value)
+        else:
+            both = _join_unknown(value, last)
+            if both == last:
+                return several
+            found = (*known[:-1], both)
+    elif value == known[0]:
         return several
-    return Choice((value, *known)) if value.__class__ in _APART and value not in several.members else None
+    elif value.__class__ in _APART and value not in several.members:
+        found = (value, *known)
+    else:
+        return None
+    return _bounded(found) if len(found) > MAX_NUMBERS else Choice(found)
 
 
 def _are_alike(left: Const, right: Const) -> bool:

@@ -51,6 +51,7 @@ class Schedule:
         "hurried",
         "interrupted",
         "leads",
+        "leads_there",
         "named",
         "parallel",
         "raised",
@@ -75,6 +76,7 @@ class Schedule:
         self.running = False
         self.spent = False  # callbacks do not run again, as all together took too many steps
         self.leads: dict[int, PageLeads] = {}  # by the number of the page
+        self.leads_there: dict[tuple[int, int], tuple[tuple[Page, Page | None], frozenset[int]]] = {}  # by id()
         self.beside = False  # a thread was started that spins: callbacks run wherever the main body waits
         self.waited = 0  # how often the main body waited then
         self.remembered: list[Wait] = []  # what ran where the main body waited (`waits_recalled.py`)
