@@ -13,10 +13,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from contextlib import suppress
-from importlib import import_module
 from types import ModuleType
-from typing import Final
 from xml.parsers import expat
 
 from rosward.findings import Finding
@@ -76,10 +73,6 @@ def _through_catkin_pkg(data: bytes, environment: Mapping[str, str]) -> Manifest
     return Manifest(str(package.name), build_type, depends)
 
 
-_WITH_CONDITIONS: Final = ("catkin_pkg.package", "catkin_pkg.group_dependency", "catkin_pkg.group_membership")
-"""What takes the function that evaluates a condition from the module that has it."""
-
-
 def _defer_conditions() -> None:
     """Let `catkin_pkg` load what parses conditions, which takes longer than all else of it, where a manifest has one."""
     name = "catkin_pkg.condition"
@@ -97,9 +90,7 @@ def _defer_conditions() -> None:
     instead.evaluate_condition = evaluate_condition  # type: ignore[attr-defined]
     sys.modules[name] = instead
     try:
-        for each in _WITH_CONDITIONS:
-            with suppress(ImportError):
-                import_module(each)
+        import catkin_pkg.package  # noqa: F401 - which takes that function from there
     finally:
         del sys.modules[name]
 
