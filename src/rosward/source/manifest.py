@@ -11,9 +11,7 @@ rejects: its nodes are real.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
-from types import ModuleType
 from xml.parsers import expat
 
 from rosward.findings import Finding
@@ -62,7 +60,6 @@ def _through_catkin_pkg(data: bytes, environment: Mapping[str, str]) -> Manifest
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        _defer_conditions()
         from catkin_pkg.package import parse_package_string
 
         package = parse_package_string(data, warnings=[])
@@ -71,28 +68,6 @@ def _through_catkin_pkg(data: bytes, environment: Mapping[str, str]) -> Manifest
     needs = [*package.build_depends, *package.build_export_depends, *package.exec_depends]
     depends = frozenset(str(each.name) for each in needs if each.evaluated_condition is not False)
     return Manifest(str(package.name), build_type, depends)
-
-
-def _defer_conditions() -> None:
-    """Let `catkin_pkg` load what parses conditions, which takes longer than all else of it, where a manifest has one."""
-    name = "catkin_pkg.condition"
-    if "catkin_pkg.package" in sys.modules or name in sys.modules:
-        return
-
-    def evaluate_condition(condition: str | None, context: Mapping[str, str]) -> object:
-        if condition is None:
-            return True
-        from catkin_pkg.condition import evaluate_condition as evaluate
-
-        return evaluate(condition, context)
-
-    instead = ModuleType(name)
-    instead.evaluate_condition = evaluate_condition  # type: ignore[attr-defined]
-    sys.modules[name] = instead
-    try:
-        import catkin_pkg.package  # noqa: F401 - which takes that function from there
-    finally:
-        del sys.modules[name]
 
 
 class _Outline:
