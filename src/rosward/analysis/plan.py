@@ -12,6 +12,7 @@ import re
 from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import Final
 
+from rosward.analysis.makes_nothing import LIBRARIES, makes_nothing
 from rosward.analysis.source_tree import SourceTree
 from rosward.effects.entry import Entry
 from rosward.engine.libraries.library import Library
@@ -135,6 +136,7 @@ def _related(
     the two results is without.
     """
     related: set[str] = set()
+    asking: set[str] = set()  # that import what can make nothing
     loaders: dict[str, set[str]] = {}
     for file in files:
         module = sources.module(file)
@@ -146,9 +148,12 @@ def _related(
                 continue
             top = name.lstrip(".").partition(".")[0]
             if not name.startswith(".") and (_is_ros(top, library) or _is_interfaces(name)):
-                related.add(file)
+                (asking if top in LIBRARIES else related).add(file)
             for found in _follow(name, file, sources):
                 importers.setdefault(found, set()).add(file)
+    _spread(related, importers)
+    asking -= related
+    related |= asking - makes_nothing(asking, related, importers, files, sources)
     _spread(related, importers)
     importing = set(related)
     for is_open in (False, True):

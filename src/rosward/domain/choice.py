@@ -70,7 +70,32 @@ def join(left: Value, right: Value) -> Value:
         if left.__class__ is Const and right.__class__ is Const and _are_alike(left, right):
             return Const(left.value, left.origins | right.origins)
         return Choice((right, left) if left.__class__ is Unknown else (left, right))
+    else:
+        found_first = _joined_first(left, right)
+        if found_first is not None:
+            return found_first
     return join_all((*options(left), *options(right)))
+
+
+def _joined_first(value: Value, several: Choice) -> Value | None:
+    """The join of one value and some that are known already; None where that takes longer to tell."""
+    known = several.options
+    last = known[-1]
+    if value.__class__ is Unknown:
+        if last.__class__ is not Unknown:
+            found = (*known, value)
+        else:
+            both = _join_unknown(value, last)
+            if both == last:
+                return several
+            found = (*known[:-1], both)
+    elif value == known[0]:
+        return several
+    elif value.__class__ in _APART and value not in several.members:
+        found = (value, *known)
+    else:
+        return None
+    return _bounded(found) if len(found) > MAX_NUMBERS else Choice(found)
 
 
 def _are_alike(left: Const, right: Const) -> bool:
@@ -81,19 +106,32 @@ def _are_alike(left: Const, right: Const) -> bool:
 
 def join_all(values: Iterable[Value]) -> Value:
     """The least value that covers all; UNBOUND where there are none."""
+    several = values if values.__class__ is tuple or values.__class__ is list else tuple(values)
+    if len(several) == 1:
+        only = several[0]
+        if only.__class__ is not Choice or len(only.options) <= MAX_NUMBERS:
+            return only
+    elif len(several) == 2:
+        one, other = several
+        if one.__class__ is not Choice and other.__class__ is not Choice:
+            return join(one, other)
     found: dict[Value, None] = {}
-    for value in values:
+    for value in several:
         if value.__class__ is Choice:
             found.update(dict.fromkeys(value.options))
         else:
             found[value] = None
     found.pop(UNBOUND, None)
     if len(found) > 1:
+        unknowns: list[Unknown] = []
+        merges = False
         for option in found:
-            if option.__class__ is Const and option.origins:
-                found = _merged(found)
-                break
-        unknowns = [o for o in found if o.__class__ is Unknown]
+            if option.__class__ is Unknown:
+                unknowns.append(option)
+            elif option.__class__ is Const and option.origins:
+                merges = True
+        if merges:
+            found = _merged(found)
         if unknowns:
             for unknown in unknowns:
                 del found[unknown]
@@ -104,7 +142,7 @@ def join_all(values: Iterable[Value]) -> Value:
         return next(iter(found))
     if len(found) > MAX_NUMBERS:
         return _bounded(tuple(found))
-    return Choice(tuple(found))
+    return Choice(tuple(found), frozenset(found))
 
 
 def _merged(values: Iterable[Value]) -> dict[Value, None]:

@@ -140,6 +140,20 @@ class Heap:
                     if obj is not None:
                         yield (number << SHIFT) + offset, obj
 
+    def shared_pages(self) -> Iterable[tuple[int, Page]]:
+        """The pages by their numbers, to keep: whoever writes to this heap from now on writes to copies of them."""
+        if self._own:
+            self._own = set()
+        return self.pages.items()
+
+    def pages_apart(self, other: Heap) -> Iterator[tuple[Page, Page | None]]:
+        """The pages that another heap has, or has otherwise, each with that of the other; to keep, as above."""
+        if self._own:
+            self._own = set()
+        pages, theirs = self.pages, other.pages
+        for number in compress(pages, map(is_not, map(theirs.get, pages), pages.values())):
+            yield pages[number], theirs.get(number)
+
     def items(self) -> Iterator[tuple[int, Obj]]:
         """All objects with their addresses."""
         for number, page in self.pages.items():

@@ -66,21 +66,24 @@ def join_states(
 def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
     """An object record that covers both; `left` itself where it already does."""
     result = left
-    attrs, one_sided = _join_attrs(left.attrs, right.attrs, merge)
-    if attrs is not left.attrs:
-        result = left.copy()
-        result.attrs = attrs
-    if left.kind in _PARTIAL and left.attrs is not right.attrs:
-        absent = left.partial
-        for name in (*more_marks(left.partial, right.partial), *one_sided):
-            absent = marked(absent, name)
-        if absent is not left.partial:
-            result = result.copy() if result is left else result
-            result.partial = absent
+    if left.attrs is not right.attrs:
+        attrs, one_sided = _join_attrs(left.attrs, right.attrs, merge)
+        if attrs is not left.attrs:
+            result = left.copy()
+            result.attrs = attrs
+        if left.kind in _PARTIAL:
+            absent = left.partial
+            for name in (*more_marks(left.partial, right.partial), *one_sided):
+                absent = marked(absent, name)
+            if absent is not left.partial:
+                result = result.copy() if result is left else result
+                result.partial = absent
     if right.many and not left.many:
         result = result.copy() if result is left else result
         result.many = True
-    if isinstance(left.payload, Suspension) and isinstance(right.payload, Suspension):
+    if left.payload is right.payload and not isinstance(left.payload, Suspension):
+        pass
+    elif isinstance(left.payload, Suspension) and isinstance(right.payload, Suspension):
         suspension = join_suspended(left.payload, right.payload, merge)
         result = result if suspension is left.payload else result.replace(payload=suspension)
     elif isinstance(left.payload, Value) and isinstance(right.payload, Value):

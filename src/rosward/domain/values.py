@@ -162,9 +162,10 @@ class Choice(Value):
 
     __slots__ = ("_hash", "members", "options")
 
-    def __init__(self, options: tuple[Value, ...]) -> None:
+    def __init__(self, options: tuple[Value, ...], members: frozenset[Value] | None = None) -> None:
         self.options = options
-        self.members = frozenset(options)  # the same, to ask whether one is among them
+        # The same, to ask whether one is among them.
+        self.members: frozenset[Value] = frozenset(options) if members is None else members
         self._hash = hash(self.members)
 
     def __eq__(self, other: object) -> bool:

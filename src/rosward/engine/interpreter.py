@@ -21,7 +21,7 @@ from rosward.domain.values import Class, ModuleValue, Ref, Value
 from rosward.engine.answers import Answers
 from rosward.engine.budget import Budget
 from rosward.engine.languages import Watched
-from rosward.engine.running.attributes_asked import AttributeNames
+from rosward.engine.running.attributes_asked import BITS, FIRST, AttributeNames
 from rosward.engine.running.catcher import Catcher
 from rosward.engine.running.frame import Frame, Snapshot
 from rosward.engine.running.precision import Precision
@@ -83,6 +83,7 @@ class Interpreter(Answers):
         self.missed: set[int] = set()  # those of them that were asked for where nothing stood
         self.inner: dict[int, int] = {}  # where objects stand that belong to an attribute of another one: of which
         self.attribute_names = AttributeNames()
+        self._attribute_numbers = self.attribute_names.numbers
         self.linked: object = None  # what a language with a linker keeps of its program
         self._versions = 0
         self._first_address = library.first_address
@@ -200,8 +201,14 @@ class Interpreter(Answers):
         found = None if page is None else page[address & MASK]
         if found is None:
             found = self.library.at(address)
-        whole = found.kind == "cell"  # of which a call forgets again what it asked for, where it made it (`bodies.py`)
-        self.asked_for.add(address if whole else self.attribute_names.question(address, name))
+        if found.kind == "cell":  # of which a call forgets again what it asked for, where it made it (`bodies.py`)
+            self.asked_for.add(address)
+            return found
+        number = self._attribute_numbers.get(name)
+        if number is None or address < 0:
+            self.asked_for.add(self.attribute_names.question(address, name))
+        else:
+            self.asked_for.add(FIRST - (address << BITS | number))  # `question`, without the call
         return found
 
     def at(self, address: int) -> Obj:

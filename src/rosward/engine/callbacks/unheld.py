@@ -17,9 +17,11 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Super, Tuple
 from rosward.domain.heap import Obj
+from rosward.domain.memory import SHIFT, Page
 from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.suspended import Suspension
 from rosward.domain.values import Choice, Const, Function, Ref, Text, Unknown, Value
+from rosward.engine.running.schedule_book import PageLeads
 from rosward.engine.unknown.held import values_in
 
 if TYPE_CHECKING:
@@ -31,6 +33,7 @@ _LASTING: Final = ("class", "module")
 ARRIVING: Final = ("message", "service")
 """Events with which new messages arrive as arguments."""
 _NOTHING: Final = repeat(None)
+_MOST_PAIRS: Final = 2_000
 _LEAVES: Final = frozenset((Const, Text, Unknown, Native, External))
 
 
@@ -42,23 +45,23 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     if machine.advancing:
         return set()  # generators that are running hold values elsewhere
     held = {effect.address for effect in machine.log.nodes} | machine.lasting
-    inside: dict[int, list[int]] = {}  # where objects lead
-    first = machine.library.first_address
-    for address, obj in machine.state.heap.items():
-        found = [r.address for r in _refs(values_in(obj))]
-        found += _cells_of(obj)
-        if obj.kind in _LASTING or address < first or (address in machine.inner and not _is_message(obj)):
-            held.update(found)
-        else:
-            inside[address] = found
+    inside: dict[int, tuple[int, ...]] = {}  # where objects lead
+    for number, page in machine.state.heap.shared_pages():
+        leads = _leads_of(machine, number, page)
+        held.update(leads.held)
+        inside.update(leads.inside)
     held.update(r.address for r in _refs(machine.schedule_book.raised))
     arriving: Counter[int] = Counter()
-    seen: set[tuple[int, int]] = set()
+    seen: set[tuple[int, int]] = set()  # the pairs of pages, by id(), that another callback had as well
     for entry in entries:
         held.update(r.address for r in _refs((entry.callback, *(() if entry.answered is None else (entry.answered,)))))
         for ref in _refs(entry.args or ()):
             arriving[ref.address] += 1 if entry.event in ARRIVING else 2
-        held.update(r.address for obj in _only_there(machine, entry, seen) for r in _refs(values_in(obj)))
+        for pair in entry.state.heap.pages_apart(machine.state.heap):
+            key = (id(pair[0]), id(pair[1]))
+            if key not in seen:
+                seen.add(key)
+                held.update(_only_there(machine, key, pair))
     held.update(address for address, count in arriving.items() if count > 1)
     for frame in frames:
         held.update(frame.cells)
@@ -74,6 +77,32 @@ def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame
     return inside.keys() - held
 
 
+def _leads_of(machine: Engine, number: int, page: Page) -> PageLeads:
+    """Where the objects of a page lead; most pages are those of the last time."""
+    kept, inner = machine.schedule_book.leads, machine.inner
+    before = kept.get(number)
+    if before is not None and before.page is page:
+        if before.inner == len(inner):
+            return before
+        if inner.keys().isdisjoint(before.inside):
+            found = kept[number] = before._replace(inner=len(inner))
+            return found
+    held: set[int] = set()
+    inside: dict[int, tuple[int, ...]] = {}
+    first = machine.library.first_address
+    for address, obj in enumerate(page, number << SHIFT):
+        if obj is None:
+            continue
+        to = [r.address for r in _refs(values_in(obj))]
+        to += _cells_of(obj)
+        if obj.kind in _LASTING or address < first or (address in inner and not _is_message(obj)):
+            held.update(to)
+        else:
+            inside[address] = tuple(to)
+    found = kept[number] = PageLeads(page, len(inner), frozenset(held), inside)
+    return found
+
+
 def _is_message(obj: Obj) -> bool:
     return obj.kind == "instance" and obj.cls.__class__ is External
 
@@ -85,18 +114,19 @@ def _cells_of(obj: Obj) -> Iterator[int]:
             yield from point.cells
 
 
-def _only_there(machine: Engine, entry: Scheduled, seen: set[tuple[int, int]]) -> Iterator[Obj]:
-    """The objects that a callback finds as they were when it was registered: those that are not here.
-
-    `seen`: the pairs of pages, by id(), that another callback had as well.
-    """
-    ours = machine.state.heap.pages
-    for number, page in entry.state.heap.pages.items():
-        own = ours.get(number)
-        if own is not page and (pair := (id(page), id(own))) not in seen:
-            seen.add(pair)
-            here = _NOTHING if own is None else own
-            yield from (obj for obj, known in zip(page, here, strict=False) if known is None and obj is not None)
+def _only_there(machine: Engine, key: tuple[int, int], pair: tuple[Page, Page | None]) -> frozenset[int]:
+    """Where objects lead that a callback finds as they were when it was registered: those of a page that are not on the one that is here."""
+    kept = machine.schedule_book.leads_there
+    found = kept.get(key)
+    if found is None:
+        if len(kept) > _MOST_PAIRS:
+            kept.clear()
+        page, own = pair
+        here = _NOTHING if own is None else own
+        objects = [obj for obj, known in zip(page, here, strict=False) if known is None and obj is not None]
+        addresses = frozenset([r.address for obj in objects for r in _refs(values_in(obj))])
+        found = kept[key] = (pair, addresses)  # with the pages: no other takes the place of one
+    return found[1]
 
 
 def _refs(values: Iterable[Value]) -> Iterator[Ref]:

@@ -40,7 +40,7 @@ def lookup(machine: Engine, cls: Value, name: str) -> Value | None:
             found: Value | None = record.attrs.get(name)
             if found is not None and found is not UNBOUND:
                 if name not in record.partial:
-                    return join(perhaps, found)
+                    return found if perhaps is UNBOUND else join(perhaps, found)
                 perhaps = join(perhaps, found)  # where this class has none, that of the next one
         elif base.__class__ is Native:
             inherited = of_native_class(machine, base.name, name)

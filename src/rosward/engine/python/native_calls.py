@@ -45,7 +45,7 @@ def invoke(
     """What the native gives for the arguments."""
     loose, unsure, anything = keywords.get(LOOSE), _NOTHING, ANY in keywords
     is_open = loose is not None or anything
-    if is_open or any(k[:1] == MAYBE for k in keywords):
+    if is_open or (keywords and any(k[:1] == MAYBE for k in keywords)):
         unsure = frozenset(k[1:] for k in keywords if k[:1] == MAYBE)
         keywords = flattened((), keywords)[1]
     frame = machine.frames[-1] if machine.frames else None

@@ -21,19 +21,19 @@ if TYPE_CHECKING:
 
 FIRST: Final = -(1 << 56)
 """Questions for attributes stand at this number and below."""
-_BITS: Final = 20
-_MASK: Final = (1 << _BITS) - 1
+BITS: Final = 20
+_MASK: Final = (1 << BITS) - 1
 
 
 @final
 class AttributeNames:
     """The names of attributes in the order in which they were asked for."""
 
-    __slots__ = ("_names", "_numbers")
+    __slots__ = ("_names", "numbers")
 
     def __init__(self) -> None:
         self._names: list[str] = []
-        self._numbers: dict[str, int] = {}
+        self.numbers: dict[str, int] = {}
 
     def question(self, address: int, name: str) -> int:
         """What is noted where somebody asks for one attribute of the object at an address.
@@ -42,19 +42,19 @@ class AttributeNames:
         """
         if address < 0:
             return address
-        number = self._numbers.get(name)
+        number = self.numbers.get(name)
         if number is None:
             number = len(self._names)
             if number > _MASK:
                 return address
-            self._numbers[name] = number
+            self.numbers[name] = number
             self._names.append(name)
-        return FIRST - (address << _BITS | number)
+        return FIRST - (address << BITS | number)
 
     def asked(self, question: int) -> tuple[int, str]:
         """The address and the name that a question tells."""
         told = FIRST - question
-        return told >> _BITS, self._names[told & _MASK]
+        return told >> BITS, self._names[told & _MASK]
 
 
 def records_of(asked_for: Iterable[int]) -> Iterator[int]:
@@ -63,7 +63,7 @@ def records_of(asked_for: Iterable[int]) -> Iterator[int]:
     Those of functions are below zero (`Library.function_address`), but far above questions for attributes.
     """
     for asked in asked_for:
-        yield asked if asked > FIRST else (FIRST - asked) >> _BITS
+        yield asked if asked > FIRST else (FIRST - asked) >> BITS
 
 
 def says_the_same(then: Obj | None, now: Obj | None, name: str) -> bool:

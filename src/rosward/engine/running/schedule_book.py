@@ -10,6 +10,7 @@ from rosward.domain.values import UNBOUND, Value
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
+    from rosward.domain.memory import Page
     from rosward.domain.state import State
     from rosward.engine.running.frame import Frame
     from rosward.engine.running.scheduled import Scheduled, Wait
@@ -23,6 +24,15 @@ class Naming(NamedTuple):
     name: str
     place: Place
     frame: Frame | None
+
+
+class PageLeads(NamedTuple):
+    """Where the objects of a page of the heap lead: such as nothing has to hold, and each of the others (`unheld.py`)."""
+
+    page: Page
+    inner: int  # how many objects belonged to an attribute of another one when it was looked through
+    held: frozenset[int]
+    inside: dict[int, tuple[int, ...]]
 
 
 @final
@@ -40,6 +50,8 @@ class Schedule:
         "event",
         "hurried",
         "interrupted",
+        "leads",
+        "leads_there",
         "named",
         "parallel",
         "raised",
@@ -63,6 +75,8 @@ class Schedule:
         self.standing: dict[tuple[str, str], Scheduled] = {}
         self.running = False
         self.spent = False  # callbacks do not run again, as all together took too many steps
+        self.leads: dict[int, PageLeads] = {}  # by the number of the page
+        self.leads_there: dict[tuple[int, int], tuple[tuple[Page, Page | None], frozenset[int]]] = {}  # by id()
         self.beside = False  # a thread was started that spins: callbacks run wherever the main body waits
         self.waited = 0  # how often the main body waited then
         self.remembered: list[Wait] = []  # what ran where the main body waited (`waits_recalled.py`)

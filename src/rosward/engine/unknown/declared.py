@@ -34,8 +34,10 @@ _HARMLESS: Final = (Const("sends"), Const("pure"), Const("suspends"), Const("wai
 
 def may_raise(machine: Engine, function: Function, registers: list[Value]) -> bool:
     """Whether a function of a model, which shows nothing of what it does, may raise an exception."""
+    if not is_model(function):
+        return False
     declares = any(isinstance(e, Tuple) and e.items[0] not in _HARMLESS for e in function.effects)
-    if not is_model(function) or not (function.code.is_stub or declares):
+    if not (function.code.is_stub or declares):
         return False
     facts = machine.library.facts
     if function.code.name in facts.creating:

@@ -245,7 +245,7 @@ def _truth(machine: Machine, value: Value) -> bool | None:
 
 def is_default(source: Origins) -> bool:
     """Whether a value stems from a default that someone may change."""
-    return any(not o.settled for o in source)
+    return bool(source) and any(not o.settled for o in source)
 
 
 def _object_truth(machine: Machine, ref: Ref) -> bool | None:
