@@ -88,8 +88,8 @@ def run_callees(
         name = f"{function.module.name}.{code.qualname}"
         if code.file.startswith("models:") and not code.is_stub:
             result = _perform(walker, body, name, whole, result)
-        if walker.hurries and code.file.startswith("models:") and walker.shape.said(name).pure:
-            computed = library.computed(walker, body, name, whole)
+        if walker.hurries and walker.shape.said(name).pure and walker.sites.only_compute(mine):
+            computed = library.computed(walker, body, name, whole).under(implicit.given_by(walker, whole))
             result = computed if result is None else result.joined(computed)
             continue
         if not mine and code.is_stub:

@@ -129,6 +129,7 @@ def _given_as(parameter: str, function: Function, marks: list[Mark]) -> Mark:
 def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
     """A function that only computes, taken as a whole: what it gives may be a view of what it is given; some write to their object."""
     mask = body.pc
+    marks = [mark.joined(each_of(walker, mark) or NOTHING) for mark in marks]
     for mark in marks:
         mask |= walker.memory.deep(mark)
     roots = frozenset[Root]().union(*(m.roots for m in marks))
@@ -159,8 +160,10 @@ def attribute(walker: Walker, owners: Iterable[tuple[object, ...]], name: str) -
     found, roots = 0, set[Root]()
     for owner in owners:
         part = of_library(f"{owner[1]}.{name}") if owner[0] == "external" else part_of(owner, name)
-        roots.add(part)
         dotted = name_of(part)
+        if dotted and not walker.shape.tells(dotted):
+            part, dotted = owner, ""
+        roots.add(part)
         said = walker.shape.said(dotted) if dotted else NO_MARK
         for kind in said.sources if said.attribute else ():
             found |= comes_in(walker, kind)

@@ -50,6 +50,8 @@ _MOST: Final = 300_000
 
 Walks that come to their end take 5 times as many steps in small processes, and fewer in large ones; others would go on in vain.
 """
+_A_ROUND: Final = 30_000
+"""To go through all callbacks once may take so many, or a quarter of all: walks of which a round took more did not come to their end."""
 _EVENTS: Final = {
     "message": ("topic", "subscription"),
     "service": ("service", "service_server"),
@@ -125,14 +127,18 @@ def _settle(walker: Walker, machine: Interpreter) -> bool:
     entries = list({_where(e): e for e in reversed(entries)}.values())[::-1]
     walker.threaded = machine.schedule_book.threads or any(e.event == "thread" for e in entries)
     walker.logs = any(e.event == "log" for e in entries)
+    most = walker.most
+    a_round = max(_A_ROUND, most >> 2)
     for _ in range(_ROUNDS):
         walker.changed = False
         _main(walker)
         main_changed = walker.changed
         for _ in range(_ROUNDS):
             walker.changed = False
+            walker.most = min(most, walker.shape.spent + a_round)
             for entry in entries:
                 _callback(walker, entry)
+            walker.most = most
             if not walker.changed:
                 break
             main_changed = True

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, final
 
 from rosward.engine.cpp.linked import Linked
 from rosward.findings import Finding
+from rosward.flow import array_names
 from rosward.flow.marked_cpp import NATIVES, STREAMS
 from rosward.models.flow_marks import NO_MARK, FlowMark, mark_of, wrong
 
@@ -27,9 +28,18 @@ def marks_of(machine: Interpreter) -> Callable[[str], FlowMark]:
 
 
 def told_by(machine: Interpreter) -> Callable[[str], bool]:
-    """Whether marks, or the models, say something of what has this dotted name, or of its parts; in Python nobody knows that."""
+    """Whether marks, or the models, say something of what has this dotted name, of its parts, or of what it is a part of."""
     linked = machine.linked
-    return InHeaders(linked.symbols.marked).tells if isinstance(linked, Linked) else bool
+    if isinstance(linked, Linked):
+        return InHeaders(linked.symbols.marked).tells
+    marks, watched = machine.library.marks, machine.budget.watched
+
+    def tells(name: str) -> bool:
+        if marks.tells(name) or any(released.startswith(name) for released in watched):
+            return True
+        return array_names.tells(name) and marks.of(name) is not NO_MARK
+
+    return tells
 
 
 def wrong_marks(machine: Interpreter) -> Iterator[Finding]:

@@ -6,7 +6,7 @@ self.pub.publish(text)      the functions of the program, those of one code toge
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Final, final
 
 from rosward.domain.choice import options
@@ -15,6 +15,8 @@ from rosward.domain.values import Class, Const, Function, Ref, Value
 from rosward.engine.running.seen import ALIVE, REACHED, Activation, Called, Handed, Seen
 from rosward.flow.marks import Root, of_library
 from rosward.ir import ops
+from rosward.ir.op import walk
+from rosward.ir.program import Code
 from rosward.ir.registers import reads
 
 
@@ -64,6 +66,7 @@ class Sites:
         self._by_code: dict[Seen, dict[str, list[Called]]] = {}
         self._together: dict[tuple[Seen, str], list[Called]] = {}
         self._reads: dict[ops.Op, tuple[int, ...]] = {}
+        self._computing: dict[Activation, bool] = {}
 
     def reads(self, op: ops.Op) -> tuple[int, ...]:
         """The registers that an operation reads."""
@@ -90,6 +93,22 @@ class Sites:
                 found.setdefault(called.function.code.key, []).append(called)
         return found
 
+    def only_compute(self, activations: Collection[Activation]) -> bool:
+        """Whether these, and whatever they call, are code of models that writes to nothing by an operator; not where nobody saw what runs."""
+        return bool(activations) and all(map(self._only_computes, activations))
+
+    def _only_computes(self, activation: Activation) -> bool:
+        found = self._computing.get(activation)
+        if found is None:
+            called = {activation: None}
+            work = [activation]
+            for each in work:
+                new = [c for seen in each.seen.values() for c in seen.callees if c not in called]
+                called.update(dict.fromkeys(new))
+                work += new
+            found = self._computing[activation] = all(map(_is_calm, called))
+        return found
+
     def together(self, seen: Seen, key: str) -> list[Called]:
         """The calls of one code, those as one that differ in nothing but the objects that stand in a register."""
         found = self._together.get((seen, key))
@@ -101,6 +120,22 @@ class Sites:
                 ones[kind] = called if known is None else _both(known, called)
             found = self._together[seen, key] = list(ones.values())
         return found
+
+
+def _is_calm(activation: Activation) -> bool:
+    """Whether a body is one of a model, in which nothing of the program runs, and nothing is made, sent, or changed by an operator."""
+    if not _is_of_models(activation.code):
+        return False
+    for seen in activation.seen.values():
+        if seen.effects or seen.scheduled or seen.summaries:
+            return False
+        if not all(_is_of_models(called.function.code) for called in seen.calls.values()):
+            return False
+    return not any(getattr(op, "inplace", False) for op in walk(activation.code.ops))
+
+
+def _is_of_models(code: Code) -> bool:
+    return code.file.startswith("models:")
 
 
 def _kind(called: Called) -> object:

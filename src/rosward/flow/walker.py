@@ -86,7 +86,7 @@ class Walker:
         self.threaded = False  # whether something runs beside this
         self.narrowed: list[str] = []  # the names of parameters that the branches around are about
         self.sites = Sites()
-        self._most = most
+        self.most = most  # so many steps it may take
         self.together = watch.measure()  # calls of one body are not told apart by what was seen in each
         self._key_sets: KeySets = {}
         self._remembered: dict[Activation, list[Remembered]] = {}
@@ -104,7 +104,7 @@ class Walker:
             if known is None:
                 return False
             body.at, shape.spent = op, shape.spent + 1
-            if shape.spent > self._most:
+            if shape.spent > self.most:
                 raise TooLongError
             if attempts:
                 self._attempted(op, body, known)
@@ -233,8 +233,8 @@ class Walker:
 
     @property
     def hurries(self) -> bool:
-        """Whether so much was walked through that functions of libraries are taken as a whole."""
-        return self.shape.spent > _CALM
+        """Whether so much was walked through that functions of libraries that only compute are taken as a whole."""
+        return self.shape.spent > CALM
 
     def meet_callbacks(self) -> None:
         """A callback may have run that was handed to somebody: in the main body, those of ROS have not."""
@@ -389,8 +389,8 @@ class Walker:
 
 _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))
 """What may be the first to meet a source."""
-_CALM: Final = 50_000
-"""After so much, functions of libraries that only compute are taken as a whole."""
+CALM: Final = 5_000
+"""Functions of libraries that only compute are walked through before so much was."""
 _FEW: Final = 8
 """So many activations of a body are walked through one by one for one operation."""
 _DEEP: Final = 40

@@ -37,6 +37,8 @@ class _Said(NamedTuple):
     own: FlowMark | None
     whole: FlowMark | None
     """That of the class or module around it."""
+    found: bool = False
+    """Whether it stands in a stub."""
 
 
 _NOTHING: Final = _Said(None, None)
@@ -51,6 +53,7 @@ class StubMarks:
         self._modules: dict[tuple[Path, str], Scope | None] = {}
         self._packages: dict[tuple[Path, str], bool] = {}
         self._known: dict[str, FlowMark] = {}
+        self._told: dict[str, bool] = {}
 
     def of(self, name: str) -> FlowMark:
         """The marks of a function, by its dotted name; of one of Python itself that is a bare name."""
@@ -60,11 +63,24 @@ class StubMarks:
             found = self._known[name] = said.own or said.whole or NO_MARK
         return found
 
+    def tells(self, name: str) -> bool:
+        """Whether a stub describes this name, or a mark is about what it is a part of; where that is known of a part already, it tells no more."""
+        found = self._told.get(name)
+        if found is None:
+            parts = tuple(name.split("."))
+            said = self._said(parts, _DEPTH)
+            above = len(parts) > 1 and said.whole is not None and self._said(parts[:-1], _DEPTH).found
+            found = self._told[name] = said.found or above or self._is_package("/".join(parts))
+        return found
+
+    def _is_package(self, path: str) -> bool:
+        return any(self._packages.get((folder, path)) for folder in self._folders)
+
     def _said(self, parts: tuple[str, ...], depth: int) -> _Said:
         if not depth or len(parts) > _LONGEST or not all(part.isidentifier() for part in parts):
             return _NOTHING
         whole: FlowMark | None = None
-        deepest = 0
+        deepest, found = 0, False
         for folder in self._folders:
             for length in range(self._deepest(folder, parts), 0, -1):
                 module = self._module(folder, "/".join(parts[:length]))
@@ -73,13 +89,14 @@ class StubMarks:
                 said = self._in_module(module, parts[length:], depth)
                 if said.own is not None:
                     return said
+                found = found or said.found
                 if length > deepest:  # what is said of a package is not said of a module in it that is described itself
                     whole, deepest = said.whole, length
                 elif length == deepest:
                     whole = whole or said.whole
         if not deepest and parts[0] != _BUILTINS:
             return self._said((_BUILTINS, *parts), depth - 1)
-        return _Said(None, whole)
+        return _Said(None, whole, found)
 
     def _in_module(self, module: Scope, rest: tuple[str, ...], depth: int) -> _Said:
         scope, whole = module, module.mark
@@ -94,7 +111,7 @@ class StubMarks:
                 own = (made.mark if made is not None else None) or inner.mark
                 if own is None and inner.writes and whole is not None and whole.pure:
                     own = whole._replace(changes=("self",))
-                return _Said(own, whole)
+                return _Said(own, whole, found=True)
             if inner.is_class:
                 scope, whole = inner, inner.mark or whole
                 continue
@@ -104,7 +121,7 @@ class StubMarks:
             if given.alias:
                 return self._said((*given.alias.split("."), *rest[number:]), depth - 1)
             scope, whole = given, given.mark or whole
-        return _Said(None, whole)
+        return _Said(None, whole, found=not rest)
 
     def _deepest(self, folder: Path, parts: tuple[str, ...]) -> int:
         """So many of these may name a module there: behind what is no folder nothing is looked for."""

@@ -79,7 +79,8 @@ class Shape:
 
     def __init__(self, machine: Interpreter) -> None:
         self._machine = machine
-        self.numbers = Numbers(told_by(machine))
+        self._told = told_by(machine)
+        self.numbers = Numbers(self._told)
         self._few = _FEW[0][1]
         self._until: float = _FEW[0][0]
         self.spent = 0  # operations and objects that were looked at
@@ -290,6 +291,10 @@ class Shape:
         obj = self.record(root)
         name = None if obj is None or obj.kind != "module" else obj.attrs.get("__name__")
         return (text_of(name) or "").partition(".")[0] if name is not None else ""
+
+    def tells(self, name: str) -> bool:
+        """Whether more is known of something of a library by its dotted name than by that of what it is a part of; in C++ nobody asks."""
+        return not self.merges_objects or self._told(name)
 
     def said(self, name: str) -> FlowMark:
         """What marks say of a function of a library, by its dotted name."""

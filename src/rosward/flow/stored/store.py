@@ -144,7 +144,7 @@ class Numbers:
                 if number is None or number not in merged:
                     ones[root] = root
                 elif not isinstance(root, int) and root[0] != "of" and (name := name_of(root)):
-                    key = (number, name if self._tells(name) else "*")
+                    key = (number, name if self._tells(name) else name.partition(".")[0])
                     if key in named:
                         ones[key] = named[key]
                     else:
