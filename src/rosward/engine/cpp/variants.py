@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.slots import Pointer, TypeOf
 from rosward.domain.unknown import Cause
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Text, Value
+from rosward.domain.values import FALSE, UNBOUND, Class, Const, Ref, Text, Value
 from rosward.engine.cpp import as_type, assigning, construct, names
 from rosward.engine.cpp.linked import linked
 from rosward.models.cpp.containers.compounds import alternative
@@ -39,8 +39,8 @@ def of_variant(
     if name in ("has_value", "type"):
         if args or not _is_known(machine, value) or _has_own(machine, value, name):
             return None
-        known = name == "has_value" and value != NONE  # null is what an empty `any` holds, and one of a pointer
-        return TRUE if known else machine.unknown(Cause.CALL, name, hint="bool" if name == "has_value" else "")
+        # what it holds is still noted after `reset` and `std::move`, and null is what an empty `any` holds, and one of a pointer
+        return machine.unknown(Cause.CALL, name, hint="bool" if name == "has_value" else "")
     return _emplaced(machine, slot, value, args, types, declared) if name == "emplace" and types else None
 
 
