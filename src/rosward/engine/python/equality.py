@@ -143,11 +143,16 @@ def compare(machine: Engine, operator: str, left: Value, right: Value) -> Value:
     return operators.compare(machine, operator, bare(machine, left), bare(machine, right))
 
 
-def _is_asked_for_each(machine: Engine, item: Value, container: Value) -> bool:
-    """Whether `in` asks for one element after the other: of an iterator, which keeps the rest, or because `==` runs code of the program."""
+def _is_taken_from(machine: Engine, container: Value) -> bool:
+    """Whether `in` takes items from an iterator, up to the one that is looked for: whoever asks again sees those that are left."""
     if container.__class__ is Ref and machine.obj(container).payload == ITERATOR:
         return True
-    if contents(machine, container) is None and stepping.is_followed(machine, container):
+    return contents(machine, container) is None and stepping.is_followed(machine, container)
+
+
+def _is_asked_for_each(machine: Engine, item: Value, container: Value) -> bool:
+    """Whether `in` asks for one element after the other: of an iterator, or because `==` runs code of the program."""
+    if _is_taken_from(machine, container):
         return True
     if container.__class__ is Tuple:
         items = container.items
@@ -317,7 +322,7 @@ def _may(machine: Engine, value: Value, test: str, other: Value | None, sense: b
         answer = truth(machine, value)
     elif test == "isinstance":
         answer = machine.is_instance(value, other) if other is not None else None
-    elif other is None:
+    elif other is None or (test == "in" and any(_is_taken_from(machine, o) for o in options(other))):
         answer = None
     else:
         operator = {"is": "is", "==": "==", "in": "in"}[test]
