@@ -16,6 +16,7 @@ from rosward.domain.text import origins_of
 from rosward.domain.unknown import COMPARED, Cause, Origin, Reason
 from rosward.domain.values import Const, Function, Ref, Unknown, Value
 from rosward.ir import ops
+from rosward.models.python.containers.lists import ITERATOR
 from rosward.models.python.operators.operators import is_default
 from rosward.models.python.plain import int_of
 
@@ -86,7 +87,9 @@ def _named(machine: Engine, test: str, other: Value | None) -> list[Const] | Non
     items: tuple[Value, ...] | None = None
     if isinstance(other, Tuple):
         items = other.items
-    elif isinstance(other, Ref) and machine.obj(other).kind in ("list", "set"):
+    elif (
+        isinstance(other, Ref) and machine.obj(other).kind in ("list", "set") and machine.obj(other).payload != ITERATOR
+    ):
         items = machine.obj(other).items
     if not items or len(items) > _MOST:
         return None

@@ -25,12 +25,13 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine.calls.alternatives import each_apart
-from rosward.engine.python import attributes, members, specials
+from rosward.engine.python import attributes, members, specials, stepping
 from rosward.engine.python.assignment import is_replaced
 from rosward.engine.python.specials import one_has, special
 from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
 from rosward.models.python.builtins.attributes import is_open
 from rosward.models.python.comparing.equal_objects import compares
+from rosward.models.python.containers.lists import ITERATOR
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
 
@@ -142,9 +143,16 @@ def compare(machine: Engine, operator: str, left: Value, right: Value) -> Value:
     return operators.compare(machine, operator, bare(machine, left), bare(machine, right))
 
 
+def _is_taken_from(machine: Engine, container: Value) -> bool:
+    """Whether `in` takes items from an iterator, up to the one that is looked for: whoever asks again sees those that are left."""
+    if container.__class__ is Ref and machine.obj(container).payload == ITERATOR:
+        return True
+    return contents(machine, container) is None and stepping.is_followed(machine, container)
+
+
 def _is_asked_for_each(machine: Engine, item: Value, container: Value) -> bool:
-    """Whether `in` runs code of the program for the elements: a generator, or `==` with an object that says what that means."""
-    if container.__class__ is Ref and machine.obj(container).kind == "generator":
+    """Whether `in` asks for one element after the other: of an iterator, or because `==` runs code of the program."""
+    if _is_taken_from(machine, container):
         return True
     if container.__class__ is Tuple:
         items = container.items
@@ -314,7 +322,7 @@ def _may(machine: Engine, value: Value, test: str, other: Value | None, sense: b
         answer = truth(machine, value)
     elif test == "isinstance":
         answer = machine.is_instance(value, other) if other is not None else None
-    elif other is None:
+    elif other is None or (test == "in" and any(_is_taken_from(machine, o) for o in options(other))):
         answer = None
     else:
         operator = {"is": "is", "==": "==", "in": "in"}[test]

@@ -4,31 +4,41 @@ from _rosward import reads_only, unknown
 from _rosward.launch import write_file
 
 class TextFile:
-    """`_left` is what is still to be read; once lines are asked for, `_lines` holds it: who goes through them, and whoever else reads, share them."""
+    """`_ahead` is what is still to be read: text, or (lines,), an iterator, once lines are asked for: who goes through them, and whoever else reads, share it."""
     closed = False
     mode = 'r'
     encoding = 'utf-8'
     _nothing = ''
     def __init__(self, text, name):
         self._whole = text
-        self._left = text
-        self._lines = iter(())
+        self._ahead = text
         self.name = name
     def read(self, size=-1):
+        ahead = self._ahead
         if size is None or size < 0:
-            text = self._left + self._nothing.join(self._lines)
-            self._left = self._nothing
-            return text
-        self._left = self._somewhere()
+            self._ahead = self._nothing
+            return self._nothing.join(ahead[0]) if isinstance(ahead, tuple) else ahead
+        self._ahead = self._somewhere()
         return self._somewhere()
     def readlines(self, hint=-1):
-        return self.read().splitlines(True)
+        if hint is None or hint <= 0:
+            return self.read().splitlines(True)
+        taken = []
+        size = 0
+        for line in self.__iter__():
+            taken.append(line)
+            size += len(line)
+            if size > hint:
+                break
+        return taken
     def readline(self, size=-1):
         return next(self.__iter__(), self._nothing)
     def __iter__(self):
-        if self._left:
-            self._lines = iter(self.readlines())
-        return self._lines
+        ahead = self._ahead
+        if not isinstance(ahead, tuple):
+            ahead = (iter(ahead.splitlines(True)),)
+        self._ahead = ahead
+        return ahead[0]
     def __next__(self):
         return next(self.__iter__())
     def _somewhere(self):
@@ -42,8 +52,7 @@ class TextFile:
     @reads_only
     def flush(self): ...
     def seek(self, offset, whence=0):
-        self._left = self._whole if offset == 0 and whence == 0 else self._somewhere()
-        self._lines = iter(())
+        self._ahead = self._whole if offset == 0 and whence == 0 else self._somewhere()
         return offset
     @reads_only
     def tell(self) -> int: ...

@@ -21,13 +21,13 @@ class StringIO(TextFile):
     _filled = True  # who gets hold of it may write to it
     mode = 'w+'
     def __init__(self, initial_value='', newline='\n'):
-        super().__init__(initial_value or '', 'text in memory')
+        super().__init__(initial_value or self._nothing, 'text in memory')
         self._at_end = not initial_value
     def getvalue(self):
         return self._whole
     def write(self, text):
         self._whole = self._whole + text if self._at_end else unknown('operation', 'io.StringIO.write', 'str')
-        self._left = ''
+        self._ahead = self._nothing
         self._at_end = True
         return len(text)
     def writelines(self, lines):
@@ -49,9 +49,10 @@ class StringIO(TextFile):
         return True
 
 class BytesIO(StringIO):
+    _nothing = b''
     def __init__(self, initial_bytes=b''):
-        super().__init__(initial_bytes or b'')
-        self._whole = initial_bytes or b''
-        self._left = self._whole
+        super().__init__(initial_bytes)
+    def _somewhere(self):
+        return unknown('file', self.name, 'bytes')
     def getbuffer(self):
         return memoryview(self)

@@ -62,15 +62,14 @@ def _bound(text: str) -> None:
 def _read(parse: Callable[[str], object], call: NativeCall, source: Value) -> Value:
     """The data in a text; of a file, nothing is known but which."""
 
-    def one(value: Value) -> Value:
-        option = _left_in(call, value) or value
+    def one(option: Value) -> Value:
         plain = (
             option.value.decode("utf-8", "replace")
             if isinstance(option, Const) and isinstance(option.value, bytes)
             else text_of(option)
         )
         if plain is None:
-            return _of_file(call, value)
+            return _of_file(call, option)
         if len(plain) > MAX_TEXT:
             return call.machine.unknown(Cause.LIMIT, f"{call.name} of a long text")
         try:
@@ -83,13 +82,17 @@ def _read(parse: Callable[[str], object], call: NativeCall, source: Value) -> Va
         except RecursionError:
             return call.machine.unknown(Cause.LIMIT, f"nesting in {call.name}")
 
-    return lift(one, source)
+    return lift(one, _left_in(call, source))
 
 
-def _left_in(call: NativeCall, source: Value) -> Const | None:
-    """What is still to be read of a file of the sources that `open` gave (stubs/_opened.pyi)."""
-    left = call.machine.obj(source).attrs.get("_left") if isinstance(source, Ref) else None
-    return left if isinstance(left, Const) and isinstance(left.value, (str, bytes)) else None
+def _left_in(call: NativeCall, source: Value) -> Value:
+    """What is still to be read, and then no longer is, of files of the sources that `open` gave (stubs/_opened.pyi); any other value itself."""
+    machine = call.machine
+    files = [o for o in options(source) if isinstance(o, Ref) and "_ahead" in machine.obj(o).attrs]
+    if not files:
+        return source
+    others = (o for o in options(source) if o not in files)
+    return join_all((machine.call(machine.load_attr(join_all(files), "read"), ()), *others))
 
 
 def _of_file(call: NativeCall, source: Value) -> Value:
