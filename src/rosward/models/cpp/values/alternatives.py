@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from rosward.domain.choice import options
 from rosward.domain.compound import External
-from rosward.domain.slots import Pointer
+from rosward.domain.slots import Pointer, is_char_text
 from rosward.domain.values import NONE, Class, Ref, Value
 from rosward.models.cpp.values.boxes import is_open, unboxed
 from rosward.models.cpp.values.slots import read
@@ -38,6 +38,8 @@ def is_of_type(machine: Machine, value: Value, type_: Value) -> bool | None:
     kind = {"NoneType": ""}.get(kind_of(machine, value), kind_of(machine, value))
     if not kind:
         return shape in (Shape.POINTER, Shape.ANY) if value == NONE or isinstance(value, Pointer) else None
+    if shape is Shape.POINTER and is_char_text(value):  # or it has become a string
+        return None
     return hint_of(type_) == kind
 
 
