@@ -34,10 +34,19 @@ def test_what_only_asks_is_not_followed(tmp_path: Path) -> None:
         "import subprocess; subprocess.run(['ros2', 'run', 'demo', 'talker'])",
         "import os; os.system('ros2 run demo talker')",
         "import os; os.execvp('ros2', ['ros2', 'run', 'demo', 'talker'])",
+        "import os; getattr(os, 'sys' + 'tem')('ros2 run demo talker')",
+        "import os; find = getattr; find(os, 'sys' + 'tem')('ros2 run demo talker')",
+        "import os, operator; operator.attrgetter('sys' + 'tem')(os)('ros2 run demo talker')",
+        "import os, operator; operator.methodcaller('sys' + 'tem', 'ros2 run demo talker')(os)",
     ],
 )
 def test_what_starts_a_program_is_followed(tmp_path: Path, does: str) -> None:
     assert "RW210" in _codes(tmp_path, start=_ASKS + _MAIN.format(does))
+
+
+def test_an_attribute_whose_name_stands_there_is_that_one(tmp_path: Path) -> None:
+    raises = _ASKS + "import sys\n" + _MAIN.format("raise ValueError(getattr(sys, 'version', None))")
+    assert _codes(tmp_path, convert=raises) == {"RW007"}
 
 
 def test_what_is_imported_may_start_one(tmp_path: Path) -> None:

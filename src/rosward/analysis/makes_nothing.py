@@ -23,7 +23,9 @@ LIBRARIES: Final = frozenset(("ament_index_python", "xacro"))
 
 _LEADS_ELSEWHERE: Final = re.compile(
     rb"\b(?:exec\w*|eval|__import__|__builtins__|builtins|import_module|importlib|imp|runpy|pkgutil|pkg_resources|zipimport|ctypes"
-    rb"|subprocess|create_subprocess\w*|system|[pP]open\w*|p?spawn\w*|posix_spawn\w*|fork\w*|startfile|pty|pexpect)\b"
+    rb"|subprocess\w*|create_subprocess\w*|system|[pP]open\w*|p?spawn\w*|posix_spawn\w*|fork\w*|startfile|pty|pexpect"
+    rb"|attrgetter|methodcaller|__getattribute__)\b"
+    rb"|\bgetattr\b(?!\s*\(\s*[\w.]+\s*,\s*(['\"])\w+\1\s*[,)])"  # getattr(os, name): any of these; a name that stands there is read as such
 )
 """What may run code that the file does not import, or start a program."""
 _CHANGES_THE_PATH: Final = re.compile(rb"\bsys\b(?s:.*)\bpath\b")
