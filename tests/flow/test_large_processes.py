@@ -22,6 +22,14 @@ CASES = {
     ),
     "a view of a view": Case("self.grid = np.zeros(4)", "self.grid.T.reshape(4)[0] = msg.data", "self.grid.sum()"),
     "an operator that writes": Case("self.items = [0.0]", "operator.iadd(self.items, [msg.data])", "self.items[-1]"),
+    "a function that writes an item": Case(
+        "self.items = {}", "operator.setitem(self.items, 'a', msg.data)", "self.items.get('a', 0.0)"
+    ),
+    "a function that writes to what it gets": Case(
+        "import io\nself.file = io.StringIO()",
+        "import json\njson.dump(msg.data, self.file)",
+        "float(len(self.file.getvalue()))",
+    ),
     "elements that are sorted": Case(
         "self.items = [[0.0], [1.0]]", "sorted(self.items)[0].append(msg.data)", "self.items[0][-1]"
     ),

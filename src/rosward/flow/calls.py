@@ -88,7 +88,7 @@ def run_callees(
         name = f"{function.module.name}.{code.qualname}"
         if code.file.startswith("models:") and not code.is_stub:
             result = _perform(walker, body, name, whole, result)
-        if walker.hurries and walker.shape.said(name).pure and walker.sites.only_compute(mine):
+        if walker.hurries and walker.shape.said(name).pure and walker.sites.only_compute(mine, walker.shape.said):
             computed = library.computed(walker, body, name, whole).under(implicit.given_by(walker, whole))
             result = computed if result is None else result.joined(computed)
             continue

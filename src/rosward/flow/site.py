@@ -6,7 +6,7 @@ self.pub.publish(text)      the functions of the program, those of one code toge
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from typing import Final, final
 
 from rosward.domain.choice import options
@@ -16,8 +16,8 @@ from rosward.engine.running.seen import ALIVE, REACHED, Activation, Called, Hand
 from rosward.flow.marks import Root, of_library
 from rosward.ir import ops
 from rosward.ir.op import walk
-from rosward.ir.program import Code
 from rosward.ir.registers import reads
+from rosward.models.flow_marks import FlowMark
 
 
 @final
@@ -93,11 +93,11 @@ class Sites:
                 found.setdefault(called.function.code.key, []).append(called)
         return found
 
-    def only_compute(self, activations: Collection[Activation]) -> bool:
-        """Whether these, and whatever they call, are code of models that writes to nothing by an operator; not where nobody saw what runs."""
-        return bool(activations) and all(map(self._only_computes, activations))
+    def only_compute(self, activations: Collection[Activation], said: Callable[[str], FlowMark]) -> bool:
+        """Whether these, and whatever they call, are code of models that only computes; not where nobody saw what runs."""
+        return bool(activations) and all(self._only_computes(activation, said) for activation in activations)
 
-    def _only_computes(self, activation: Activation) -> bool:
+    def _only_computes(self, activation: Activation, said: Callable[[str], FlowMark]) -> bool:
         found = self._computing.get(activation)
         if found is None:
             called = {activation: None}
@@ -106,8 +106,35 @@ class Sites:
                 new = [c for seen in each.seen.values() for c in seen.callees if c not in called]
                 called.update(dict.fromkeys(new))
                 work += new
-            found = self._computing[activation] = all(map(_is_calm, called))
+            found = self._computing[activation] = all(self._is_calm(each, said) for each in called)
         return found
+
+    def _is_calm(self, activation: Activation, said: Callable[[str], FlowMark]) -> bool:
+        """Whether a body is one of a model that makes and sends nothing, writes to nothing that it is given, and calls nobody who may."""
+        code = activation.code
+        if not code.file.startswith("models:"):
+            return False
+        for seen in activation.seen.values():
+            if seen.effects or seen.scheduled or seen.summaries:
+                return False
+            for called in seen.calls.values():
+                function = called.function
+                marks = said(f"{function.module.name}.{function.code.qualname}")
+                if not marks.pure or (marks.changes and function.code.name not in _MAKING):
+                    return False
+        return not any(self._may_write(op, activation) for op in walk(code.ops))
+
+    def _may_write(self, op: ops.Op, activation: Activation) -> bool:
+        """Whether an operation writes to what a body is given, or calls somebody who may."""
+        seen, code = activation.seen.get(op.number), activation.code
+        if seen is None:
+            return False
+        if isinstance(op, ops.Call):
+            natives = [f for f in callees(seen.functions) if isinstance(f, Native)]
+            return self.of(op, seen).of_library or any(f.name.rpartition(".")[2] in _WRITING for f in natives)
+        if isinstance(op, (ops.StoreAttr, ops.StoreItem, ops.Delete)):
+            return op.obj < len(code.parameters.names) and code.name not in _MAKING
+        return bool(getattr(op, "inplace", False))
 
     def together(self, seen: Seen, key: str) -> list[Called]:
         """The calls of one code, those as one that differ in nothing but the objects that stand in a register."""
@@ -120,22 +147,6 @@ class Sites:
                 ones[kind] = called if known is None else _both(known, called)
             found = self._together[seen, key] = list(ones.values())
         return found
-
-
-def _is_calm(activation: Activation) -> bool:
-    """Whether a body is one of a model, in which nothing of the program runs, and nothing is made, sent, or changed by an operator."""
-    if not _is_of_models(activation.code):
-        return False
-    for seen in activation.seen.values():
-        if seen.effects or seen.scheduled or seen.summaries:
-            return False
-        if not all(_is_of_models(called.function.code) for called in seen.calls.values()):
-            return False
-    return not any(getattr(op, "inplace", False) for op in walk(activation.code.ops))
-
-
-def _is_of_models(code: Code) -> bool:
-    return code.file.startswith("models:")
 
 
 def _kind(called: Called) -> object:
@@ -240,3 +251,25 @@ def _does(function: Value, kinds: tuple[Const, ...]) -> bool:
     return isinstance(function, Function) and any(
         isinstance(e, Tuple) and e.items[0] in kinds for e in function.effects
     )
+
+
+_MAKING: Final = frozenset(("__init__", "__new__"))
+_WRITING: Final = frozenset(
+    (
+        *(
+            "append",
+            "appendleft",
+            "extend",
+            "extendleft",
+            "insert",
+            "pop",
+            "popleft",
+            "popitem",
+            "remove",
+            "clear",
+            "sort",
+        ),
+        *("reverse", "rotate", "update", "setdefault", "add", "discard", "write", "writelines", "setattr", "delattr"),
+    )
+)
+"""Natives that write to what they get, by the last words of their names."""
