@@ -14,7 +14,7 @@ from rosward.source import disk
 
 __all__ = ["is_not_fetched"]
 
-_PATH: Final = re.compile(rb"^[ \t]*path[ \t]*=[ \t]*(\S.*?)[ \t]*\r?$", re.MULTILINE)
+_PATH: Final = re.compile(rb"^[ \t]*path[ \t]*=(.*)$", re.MULTILINE)
 _LIMIT: Final = 1_000_000
 
 
@@ -34,7 +34,7 @@ def is_not_fetched(path: str, top: str) -> bool:
 def _named(file: str, folder: str) -> list[str]:
     """The folders of the submodules that a file names."""
     data = disk.read(file, _LIMIT)
-    found = _PATH.findall(data) if isinstance(data, bytes) else []
+    found = filter(None, map(bytes.strip, _PATH.findall(data))) if isinstance(data, bytes) else ()
     return [os.path.normpath(os.path.join(folder, os.fsdecode(each))) for each in found]  # noqa: PTH118
 
 
