@@ -8,7 +8,7 @@ rclcpp.Time.seconds   [[rosward::holds]] on the class; so it is with a namespace
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.engine.cpp.linked import Linked
 from rosward.findings import Finding
@@ -35,7 +35,7 @@ def told_by(machine: Interpreter) -> Callable[[str], bool]:
     marks, watched = machine.library.marks, machine.budget.watched
 
     def tells(name: str) -> bool:
-        if marks.tells(name) or any(released.startswith(name) for released in watched):
+        if marks.tells(name) or name.startswith(_FRAMES) or any(released.startswith(name) for released in watched):
             return True
         return array_names.tells(name) and marks.of(name) is not NO_MARK
 
@@ -51,6 +51,10 @@ def wrong_marks(machine: Interpreter) -> Iterator[Finding]:
                 mark, words, None if said.is_scope and mark == "stops" else ("self", *said.parameters)
             ):
                 yield Finding("RW214", message, said.place)
+
+
+_FRAMES: Final = ("types.FrameType.", "inspect.FrameInfo.")
+"""What no stub describes, and the walk makes itself."""
 
 
 @final

@@ -59,10 +59,12 @@ def all(iterable):
     return True
 
 def contains(iterable, wanted):
+    found = False
     for value in iterable:
-        if value is wanted or value == wanted:
-            return True
-    return False
+        found = value is wanted or bool(value == wanted)
+        if found:
+            break
+    return found
 
 def from_keys(cls, iterable, value=None):
     found = cls()
