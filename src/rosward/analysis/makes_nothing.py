@@ -28,7 +28,8 @@ _LEADS_ELSEWHERE: Final = re.compile(
     rb"|\bgetattr\b(?!\s*\(\s*[\w.]+\s*,\s*(['\"])\w+\1\s*[,)])"  # getattr(os, name): any of these; a name that stands there is read as such
 )
 """What may run code that the file does not import, or start a program."""
-_CHANGES_THE_PATH: Final = re.compile(rb"\bsys\b(?s:.*)\bpath\b")
+_SYS: Final = re.compile(rb"\bsys\b")
+_PATH: Final = re.compile(rb"\bpath\b")
 
 
 def makes_nothing(
@@ -70,7 +71,8 @@ def _leads_to(file: str, imported: set[str], files: Mapping[str, SourceFile], so
     text = None if source is None else read_bytes(source.path, file, limits.PYTHON_FILE)
     if module is None or not isinstance(text, bytes) or _LEADS_ELSEWHERE.search(text):
         return None
-    if not _CHANGES_THE_PATH.search(text):
+    found = _SYS.search(text)
+    if found is None or not _PATH.search(text, found.end()):
         return imported
     names = {
         ".".join(name.split(".")[:end])
@@ -78,4 +80,4 @@ def _leads_to(file: str, imported: set[str], files: Mapping[str, SourceFile], so
         if name[0] != "."
         for end in range(1, name.count(".") + 2)
     }
-    return imported.union(*({found.file for _, found in sources.named(name)} for name in names))
+    return imported.union(*({each.file for _, each in sources.named(name)} for name in names))
