@@ -200,6 +200,7 @@ class Reading:
             return
         name = found[1] or found[2]
         path = unit.store.find(name, self._path, unit.includes, found[1] is not None)
+        path = path or unit.store.above(name, self._path)
         if path is None:
             self._external[name] = None
             unit.prefixes.add(macro_prefix(name))
