@@ -69,7 +69,11 @@ class FileStore:
 
     def looked_at(self, macros: Macros, names: frozenset[str]) -> Macros:
         """The macros that a file with these names in it can look at."""
-        return {n: macros[n] for n in macros.keys() & names if n not in self.guards and n not in self.predefined}
+        return {
+            n: macros[n]
+            for n in macros.keys() & names
+            if n not in self.guards and macros[n] is not self.predefined.get(n)
+        }
 
     def keep(self, path: str, result: Result) -> None:
         """Remember what became of a file."""
