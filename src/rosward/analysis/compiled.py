@@ -279,7 +279,7 @@ class Compiled:
     def _new_store(self) -> SymbolStore:
         versions = {"RCLCPP_VERSION_GTE": self._distro.facts.rclcpp}
         headers = self._headers
-        preprocessor = Preprocessor(headers.read, headers.named, headers.find, versions)
+        preprocessor = Preprocessor(headers.read, headers.named, headers.find, versions, headers.above)
         return SymbolStore(preprocessor, partial(model_headers, versions))
 
     def _has_parser(self) -> bool:

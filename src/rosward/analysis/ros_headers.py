@@ -43,7 +43,7 @@ class RosHeaders:
         while waiting and len(seen) < _FILES:
             here = waiting.pop()
             for name, quoted in self._includes(here):
-                found = self._headers.find(name, here, includes, quoted)
+                found = self._headers.included(name, here, includes, quoted)
                 if found is None:
                     if name.partition("/")[0] in self._modelled or _ROS.fullmatch(name):
                         return True

@@ -94,7 +94,7 @@ class _Headers:
             if says and path != unit.path:
                 return True
             for quote, name in includes:
-                found = self._headers.find(name, path, unit.includes, quoted=quote == '"')
+                found = self._headers.included(name, path, unit.includes, quoted=quote == '"')
                 if (
                     found is not None
                     and found not in seen

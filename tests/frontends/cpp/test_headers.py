@@ -62,6 +62,29 @@ def test_where_an_include_leads(
 
 
 @pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("core/part.hpp", "src/core/part.hpp"),
+        ("lamp/folder.hpp", "include/lamp/folder.hpp"),
+        ("src/core/part.hpp", "src/core/part.hpp"),
+        ("main.cpp", None),
+        ("core/../../../elsewhere/secret.hpp", None),
+        ("/etc/passwd", None),
+        ("core/part.hpp\0", None),
+        ("a/" * 300 + "part.hpp", None),
+    ],
+)
+def test_a_header_above(headers: Headers, tmp_path: Path, name: str, expected: str | None) -> None:
+    root = tmp_path / "ws"
+    for path in ("src/core/part.hpp", "include/lamp/folder.hpp"):
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).touch()
+    found = headers.above(name, str(root / "src" / "deep" / "main.cpp"))
+    assert found == (expected and f"{root}/{expected}")
+    assert headers.find(name, str(root / "src" / "deep" / "main.cpp"), [], quoted=False) is None
+
+
+@pytest.mark.parametrize(
     ("data", "text"),
     [
         (b"int a;\r\nint b;\rint c;\n", "int a;\nint b;\nint c;\n"),

@@ -36,7 +36,7 @@ from rosward.ir import cpp
 from rosward.ir.core import NO_REGISTER
 from rosward.models.cpp.algorithms.ranges import emit, is_inserter
 from rosward.models.cpp.values.boxes import become_box, is_box, may_be_another
-from rosward.models.cpp.values.characters import as_string, is_text
+from rosward.models.cpp.values.characters import as_string, beside, is_character, is_text
 from rosward.models.cpp.values.chrono import as_duration, is_time
 from rosward.models.cpp.values.contents import has_content, within
 from rosward.models.cpp.values.conversions import convert
@@ -227,7 +227,11 @@ def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:
     before = copied(machine, slot)
     if is_inserter(before):
         return slot if prefix else before
-    done = assign(machine, f"{operator[0]}=", slot, Const(1))
+    held = read(machine, slot)
+    if all(is_character(option) for option in options(held)):
+        done = assign(machine, "=", slot, lift(lambda option: beside(option, 1 if operator == "++" else -1), held))
+    else:
+        done = assign(machine, f"{operator[0]}=", slot, Const(1))
     return done if done is UNBOUND or prefix else before
 
 

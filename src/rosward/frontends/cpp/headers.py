@@ -24,6 +24,8 @@ from rosward.source.yaml_nodes import Malformed
 _MADE: Final = "//made//"
 """Stands in the path of a header that a build makes, between the file that it is made of and its name."""
 
+_NAME_LIMIT: Final = 500
+
 
 class HeadersAsked(NamedTuple):
     """What was asked of the headers of a workspace: which paths are files, and what tells the text of each that was read from any other.
@@ -77,7 +79,7 @@ class Headers:
 
     def find(self, name: str, including: str, includes: Sequence[str], quoted: bool) -> str | None:
         """The file that is meant by a name in the file `including`."""
-        if name.startswith("/") or "\0" in name or len(name) > 500:
+        if name.startswith("/") or "\0" in name or len(name) > _NAME_LIMIT:
             return None
         folders = (including.rpartition(os.sep)[0], *includes) if quoted else includes
         for folder in folders:
@@ -89,6 +91,21 @@ class Headers:
             if self._is_file(path):
                 return path
         return self._made(name, including)
+
+    def above(self, name: str, including: str) -> str | None:
+        """A header that no folder of headers has, and that stands where its name says, seen from a folder above the file:
+        a build may copy it to where it is looked for, or get its folders in a way that nobody knows."""
+        folder = including.rpartition(os.sep)[0] if "/" in name[1:] and ".." not in name else ""
+        while (folder + os.sep).startswith(self._folders):
+            for path in (f"{folder}{os.sep}{name}", f"{folder}{os.sep}include{os.sep}{name}"):
+                if "\0" not in name and len(name) <= _NAME_LIMIT and self._is_file(path):
+                    return path
+            folder = folder.rpartition(os.sep)[0]
+        return None
+
+    def included(self, name: str, including: str, includes: Sequence[str], quoted: bool) -> str | None:
+        """The file that is read where a name is included in the file `including`."""
+        return self.find(name, including, includes, quoted) or self.above(name, including)
 
     def _made(self, name: str, including: str) -> str | None:
         """A header that a build makes: of the package around the file that includes it, else of any."""

@@ -16,7 +16,7 @@ from typing import final
 
 from rosward.frontends.cpp.macros import Macro, definition
 from rosward.frontends.cpp.prepared import Translation
-from rosward.frontends.cpp.store import NO_VERSIONS, FileStore, Find, Read, Versions
+from rosward.frontends.cpp.store import NO_VERSIONS, Above, FileStore, Find, Read, Versions, nowhere
 from rosward.frontends.cpp.unit import Unit
 
 
@@ -24,12 +24,20 @@ from rosward.frontends.cpp.unit import Unit
 class Preprocessor:
     """Prepares the sources of a workspace; what it has read and prepared is shared by all units.
 
-    `read` gives the text of a file, `named` how places call it, `find` the file of the workspace that an include leads to,
+    `read` gives the text of a file, `named` how places call it, `find` the file of the workspace that an include leads to
+    (`above` the one that it leads to all the same, where there is none),
     `versions` which version the macro of a library compares with (`RCLCPP_VERSION_GTE`).
     """
 
-    def __init__(self, read: Read, named: Callable[[str], str], find: Find, versions: Versions = NO_VERSIONS) -> None:
-        self._store = FileStore(read, named, find, versions)
+    def __init__(
+        self,
+        read: Read,
+        named: Callable[[str], str],
+        find: Find,
+        versions: Versions = NO_VERSIONS,
+        above: Above = nowhere,
+    ) -> None:
+        self._store = FileStore(read, named, find, versions, above)
 
     def translate(
         self, path: str, includes: Sequence[str], definitions: Iterable[tuple[str, str, bool]]

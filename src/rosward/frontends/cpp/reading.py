@@ -11,6 +11,7 @@ from rosward.frontends.cpp.branches import CONDITIONS, Directive, begins_here, b
 from rosward.frontends.cpp.conditions import Asked, holds, is_defined
 from rosward.frontends.cpp.file_text import SourceLines
 from rosward.frontends.cpp.known import macro_prefix
+from rosward.frontends.cpp.literals import hidden, shown
 from rosward.frontends.cpp.macros import Expansion, Macro, Macros, TooMuchError, definition
 from rosward.frontends.cpp.merged import merged
 from rosward.frontends.cpp.prepared import Choice, Prepared
@@ -79,6 +80,7 @@ class Reading:
         self._run(0, len(self._source.lines))
         text = "\n".join(self._out)
         text, registrations = registered_classes(text)
+        text, contents = hidden(text)
         text, blanked = without_unknown(text)
         for name, line in blanked:
             self._tell(
@@ -87,7 +89,7 @@ class Reading:
         return Prepared(
             self._path,
             self._source.file,
-            suited(text),
+            shown(suited(text), contents),
             tuple(self._includes),
             tuple(self._external),
             tuple(self._choices),
@@ -198,6 +200,7 @@ class Reading:
             return
         name = found[1] or found[2]
         path = unit.store.find(name, self._path, unit.includes, found[1] is not None)
+        path = path or unit.store.above(name, self._path)
         if path is None:
             self._external[name] = None
             unit.prefixes.add(macro_prefix(name))

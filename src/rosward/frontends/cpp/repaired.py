@@ -15,6 +15,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from rosward.frontends.cpp.literals import hidden, shown
 from rosward.frontends.cpp.tokens import LITERAL, behind_bracket
 
 _MOST: Final = 1_000
@@ -39,7 +40,8 @@ _ASSIGNED: Final = re.compile(
 
 def repaired(text: str) -> str:
     """The text with these made plain; the same one where there are none."""
-    return _ASSIGNED.sub(r"((\1)", _with_bodies(_with_literals(text)))
+    text, contents = hidden(_with_bodies(_with_literals(text)))
+    return shown(_ASSIGNED.sub(r"((\1)", text), contents)
 
 
 def _with_literals(text: str) -> str:

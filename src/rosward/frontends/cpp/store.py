@@ -19,6 +19,11 @@ Read = Callable[[str], str | Finding]
 Versions = Mapping[str, tuple[int, int, int]]
 NO_VERSIONS: Final[Versions] = MappingProxyType({})
 Find = Callable[[str, str, Sequence[str], bool], str | None]
+Above = Callable[[str, str], str | None]
+
+
+def nowhere(name: str, including: str) -> None:
+    """A header that no folder of headers has is not among the files."""
 
 
 @final
@@ -28,10 +33,13 @@ class FileStore:
     `read` gives the text of a file, `named` how places call it, `find` the file of the workspace that an include leads to.
     """
 
-    def __init__(self, read: Read, named: Callable[[str], str], find: Find, versions: Versions) -> None:
+    def __init__(
+        self, read: Read, named: Callable[[str], str], find: Find, versions: Versions, above: Above = nowhere
+    ) -> None:
         self._read = read
         self._named = named
         self.find = find
+        self.above = above
         self.versions = versions
         self._sources: dict[str, SourceLines | Finding] = {}
         self._results: dict[str, list[Result]] = {}
@@ -61,7 +69,11 @@ class FileStore:
 
     def looked_at(self, macros: Macros, names: frozenset[str]) -> Macros:
         """The macros that a file with these names in it can look at."""
-        return {n: macros[n] for n in macros.keys() & names if n not in self.guards and n not in self.predefined}
+        return {
+            n: macros[n]
+            for n in macros.keys() & names
+            if n not in self.guards and macros[n] is not self.predefined.get(n)
+        }
 
     def keep(self, path: str, result: Result) -> None:
         """Remember what became of a file."""

@@ -29,8 +29,6 @@ return operator[](1);                    return operato$BK(1);
 using std::sin, std::cos;                using std::sin;using  std::cos;
 virtual void stop() const {};            virtual void stop() const {}
 Box(const char *) -> Box<std::string>;   nothing
-{[&key = key](int i) {}}                 {[&key      ](int i) {}}
-[this] [[nodiscard]] () {}               [this]               () {}
 template class Tree<Node>;               nothing: it runs nothing
 extern template int sum<int>(int);       the same
 unsigned on : 2 = 1;                     unsigned on     = 1;
@@ -44,6 +42,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from rosward.frontends.cpp.captures import with_plain_captures
 from rosward.frontends.cpp.tokens import LITERAL, blank
 
 _TYPENAME: Final = re.compile(
@@ -121,11 +120,6 @@ _GUIDE: Final = re.compile(
     r"(?<=[;}])\s*(?:explicit\s+)?\b([A-Za-z_]\w*)\s*\([^;{}]{0,500}\)\s*->\s*\1\s*<[^;{}]{1,500}>\s*;"
 )
 """A deduction guide that is no template: what it says follows from the constructors, mostly."""
-_CAPTURED: Final = re.compile(r"(?<=[\[,])(\s*&\s*)(\w+)(\s*=\s*\2\s*)(?=[,\]])")
-"""A reference to a variable of the same name: in braces the grammar takes `[&key = key]` for a designator."""
-_ATTRIBUTED: Final = re.compile(r"(?<=\])(\s*\[\[[^\[\]]{0,200}\]\])(?=\s*[({])")
-"""What is said of the function of a lambda, before its parameters."""
-
 _USING_LIST: Final = re.compile(
     r"((?:^|[;{}:])[ \t]*)(using\s(?!\s*namespace\b)[^;={}()\"]*,[^;={}()\"]*)(?=;)", re.MULTILINE
 )
@@ -193,8 +187,7 @@ def suited(text: str) -> str:
     if "->" in text:
         text = _GUIDE.sub(_blank, text)
     text = _NO_NAME.sub(_blank, _BITS.sub(lambda found: found[1] + blank(found[2]), text))
-    text = _ATTRIBUTED.sub(_blank, _EMPTY.sub(r"\1 ", text))
-    text = _CAPTURED.sub(lambda found: f"{found[1]}{found[2]}{blank(found[3])}", text)
+    text = with_plain_captures(_EMPTY.sub(r"\1 ", text))
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
     if "slots" in text:

@@ -19,6 +19,7 @@ from rosward.source.cmake.blocks import Way
 from rosward.source.cmake.generators import meant, objects_of
 from rosward.source.cmake.interpreter import Interpreter
 from rosward.source.cmake.reader import Handler
+from rosward.source.cmake.standards import of_features, of_options, of_standard
 from rosward.source.cmake.targets import UNKNOWN_VALUE, Definition, Made, Making, Using
 from rosward.source.cmake.text import Command
 from rosward.source.cmake.variables import HOLE
@@ -69,7 +70,9 @@ class TargetCommands:
             "target_include_directories": self._target_includes,
             "target_compile_definitions": self._target_definitions,
             "target_compile_options": self._target_options,
+            "target_compile_features": self._target_features,
             "set_target_properties": self._properties,
+            "set_property": self._property,
             "include_directories": self._folder_includes,
             "add_compile_definitions": self._folder_definitions,
             "add_definitions": self._folder_options,
@@ -109,6 +112,9 @@ class TargetCommands:
         if target is None:
             within = tuple(self._interpreter.undecided)
             target = Making(name, made, self._interpreter.place(command), self.sure, self.folder(), within)
+            variables = self._interpreter.variables
+            target.own.definitions |= of_standard(variables.get("CMAKE_CXX_STANDARD"))
+            target.own.definitions |= of_options([variables.get("CMAKE_CXX_FLAGS")])
             self.made[name] = target
         else:
             target.made_again(sure=self.sure)
@@ -253,6 +259,12 @@ class TargetCommands:
         for into, argument in self._by_visibility(arguments):
             for using in into:
                 using.definitions |= self._definitions((a for a in [argument] if a.startswith("-D")), within)
+                using.definitions |= of_options([argument], sure=self.sure)
+
+    def _target_features(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        for into, argument in self._by_visibility(arguments):
+            for using in into:
+                using.definitions |= of_features([argument], sure=self.sure)
 
     def _properties(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         """`set_target_properties(a b PROPERTIES COMPILE_DEFINITIONS X=1 …)`."""
@@ -266,6 +278,14 @@ class TargetCommands:
             if target is not None:
                 target.output = pairs.get("OUTPUT_NAME", target.output)
                 target.own.definitions |= self._definitions((t for t in texts if t), target.within)
+                target.own.definitions |= of_standard(pairs.get("CXX_STANDARD", ""), sure=self.sure)
+
+    def _property(self, arguments: list[str], command: Command) -> None:
+        """`set_property(TARGET a b APPEND PROPERTY COMPILE_DEFINITIONS X=1 Y)`."""
+        if arguments[0] == "TARGET" and "PROPERTY" in arguments[:-1]:
+            at = arguments.index("PROPERTY")
+            targets = [a for a in arguments[1:at] if a not in {"APPEND", "APPEND_STRING"}]
+            self._properties([*targets, "PROPERTIES", arguments[at + 1], ";".join(arguments[at + 2 :])], command)
 
     # What all targets of a folder use
 
@@ -277,6 +297,7 @@ class TargetCommands:
 
     def _folder_options(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         self.folder().definitions.update(self._definitions(a for a in arguments if a.startswith("-D")))
+        self.folder().definitions.update(of_options(arguments, sure=self.sure))
 
     def _folder_links(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         self.folder().links.update(self._links(arguments))

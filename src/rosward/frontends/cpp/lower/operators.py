@@ -45,7 +45,12 @@ _BINARY: Final = frozenset({"+", "-", "*", "/", "%", "<<", ">>", "|", "^", "&"})
 _CONVERTED: Final = frozenset(
     {
         *("float", "double", "bool", "unsigned", "unsigned int", "short", "unsigned short"),
-        *("signed char", "unsigned char", *(f"{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32))),
+        *(
+            "char",
+            "signed char",
+            "unsigned char",
+            *(f"{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32)),
+        ),
     }
 )
 """Types of variables that what is added to them may leave."""

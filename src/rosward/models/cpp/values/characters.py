@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from rosward.domain.choice import lift, options
 from rosward.domain.slots import Pointer, Slot, is_char_text
 from rosward.domain.values import Choice, Const, Ref, Text, Unknown, Value
@@ -10,7 +12,20 @@ from rosward.models.cpp.values.slots import read
 from rosward.models.native import Machine
 from rosward.models.python.plain import from_python, int_of, origins, text_of, unknown_from
 
-__all__ = ["as_kept", "as_string", "beside_text", "character_of", "is_text", "number_of", "text_behind", "text_in"]
+__all__ = [
+    "as_kept",
+    "as_string",
+    "beside",
+    "beside_text",
+    "character_of",
+    "is_character",
+    "is_text",
+    "number_of",
+    "text_behind",
+    "text_in",
+]
+
+_LAST: Final = 127
 
 
 def character_of(value: Value) -> str | None:
@@ -32,6 +47,17 @@ def number_of(value: Value) -> Const | None:
     if isinstance(value.value, str):
         return Const(ord(value.value), value.origins) if len(value.value) == 1 else None
     return value
+
+
+def is_character(value: Value) -> bool:
+    """Whether a value is one character that is known, of ASCII as both its neighbours are, and no pointer to one."""
+    text = text_of(value) if isinstance(value, Const) and not is_char_text(value) else None
+    return text is not None and len(text) == 1 and 0 < ord(text) < _LAST
+
+
+def beside(value: Value, by: int) -> Value:
+    """The character after a known one, or before it."""
+    return Const(chr(ord(text_of(value) or " ") + by), origins(value))
 
 
 def is_text(value: Value) -> bool:

@@ -34,6 +34,8 @@ class Publisher : public PublisherBase
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Publisher)
   using MessageType = MessageT;
+  using PublishedType = detail::custom_t<MessageT>;
+  using ROSMessageType = detail::wire_t<MessageT>;
   using MessageSharedPtr = std::shared_ptr<const MessageT>;
   using MessageUniquePtr = std::unique_ptr<MessageT>;
 
@@ -83,7 +85,8 @@ class Subscription : public SubscriptionBase
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Subscription)
   using MessageType = MessageT;
-  using SubscribedType = MessageT;
+  using SubscribedType = detail::custom_t<MessageT>;
+  using ROSMessageType = detail::wire_t<MessageT>;
 
   Subscription() {}
   virtual ~Subscription() {}

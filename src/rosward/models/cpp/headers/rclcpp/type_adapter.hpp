@@ -41,6 +41,20 @@ struct Adapted<TypeAdapter<CustomType, ROSMessageType>>
   using ros_message_type = ROSMessageType;
 };
 
+// The same as types: those of what is adapted, else the message itself.
+template<typename MessageT, bool adapted = rosward::is_adapted<MessageT>()>
+struct Types
+{
+  using custom_type = MessageT;
+  using ros_message_type = MessageT;
+};
+template<typename MessageT>
+struct Types<MessageT, true> : Adapted<MessageT> {};
+template<typename MessageT>
+using custom_t = typename Types<MessageT>::custom_type;
+template<typename MessageT>
+using wire_t = typename Types<MessageT>::ros_message_type;
+
 // What goes over the wire, and what callbacks get.
 template<typename MessageT>
 auto wire_type()
