@@ -146,7 +146,8 @@ def _load_global(machine: Engine, op: ops.LoadGlobal, frame: Frame) -> bool:
 
 
 def _load_cell(machine: Engine, op: ops.LoadCell, frame: Frame) -> bool:
-    return machine.at(frame.cells[op.cell]).attrs.get("value", UNBOUND) is UNBOUND
+    record = machine.at(frame.cells[op.cell])
+    return record.attrs.get("value", UNBOUND) is UNBOUND or "value" in record.partial
 
 
 def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool:
