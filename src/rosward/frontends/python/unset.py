@@ -156,6 +156,10 @@ class _Walk:
         """Behind an expression, or the target of an assignment."""
         if isinstance(node, ast.Name):
             return self._name(node, state)
+        if isinstance(node, ast.Constant):
+            return state
+        if isinstance(node, ast.Attribute):
+            return self._expression(node.value, state)
         if isinstance(node, _SCOPES):
             return self._definition(node, state)
         if isinstance(node, _COMPREHENSIONS):
@@ -174,8 +178,13 @@ class _Walk:
         return self._children(node, state)
 
     def _children(self, node: ast.AST, state: _Names) -> _Names:
-        for child in ast.iter_child_nodes(node):
-            if not isinstance(child, ast.expr_context):
+        for field in node._fields:
+            child = getattr(node, field, None)
+            if isinstance(child, list):
+                for each in child:
+                    if isinstance(each, ast.AST):
+                        state = self._expression(each, state)
+            elif isinstance(child, ast.AST) and field != "ctx":
                 state = self._expression(child, state)
         return state
 
