@@ -329,6 +329,7 @@ class Frame:
 
     def _other(self, name: str, v: list[Any]) -> Any:
         table: dict[str, Callable[[], Any]] = {
+            "bound": lambda: None,
             "slice": lambda: slice(*v),
             "append": lambda: v[0].append(v[1]),
             "set_add": lambda: v[0].add(v[1]),

@@ -23,7 +23,7 @@ from rosward.domain.values import UNBOUND, Ref, Unknown, Value
 
 Merge = Callable[[Value, Value], Value]
 EventKey = tuple[object, ...]
-_PARTIAL: Final = ("instance", "class", "module")
+_PARTIAL: Final = ("instance", "class", "module", "cell")
 NOTHING_DONE: Final[frozenset[EventKey]] = frozenset()
 
 

@@ -12,13 +12,13 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Super, Tuple
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import KIND
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import descriptors, modules
-from rosward.engine.python.builtin_classes import of_class, of_exception_class
+from rosward.engine.python.builtin_classes import of_native, of_value
 from rosward.engine.python.functions import kept_table, of_function, of_partial
 from rosward.engine.python.members import bind, classes_of, is_computed, lookup, of_native_class, type_name
 from rosward.engine.python.metaclass_of import TYPE, in_metaclass, metaclass_of
@@ -27,7 +27,8 @@ from rosward.models import message_fields
 from rosward.models.interfaces import INTERFACE_NAMES, interface_name
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.builtins.attributes import is_open, may_hide
-from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
+from rosward.models.python.containers.lists import ITERATOR, VIEW
+from rosward.models.python.exceptions import MEMBERS, member_of
 from rosward.models.python.std.annotations import of_class as annotated
 from rosward.models.readers import decisive
 
@@ -60,14 +61,10 @@ def load(machine: Engine, value: Value, name: str) -> Value:
             return value.receiver if name == "__self__" else value.function
         return value if name == "__call__" else load(machine, value.function, name)
     if value.__class__ is Native:
-        if name in ("__name__", "__qualname__"):
-            return Const(value.name.rpartition(".")[2])
         base = value.name.removeprefix("builtins.")
         if name == "__dict__" and isinstance(getattr(builtins, base, None), type):
             return machine.new_dict({Const(n): Native(f"{base}.{n}") for n in vars(getattr(builtins, base))})
-        if is_exception(base):
-            return of_native_class(machine, base, name) or of_exception_class(machine, base, name)
-        return of_class(base, name) or Native(f"{base}.{name}")
+        return of_native(machine, base, name)
     if value.__class__ is Descriptor:
         return descriptors.load(machine, value, name)
     if value.__class__ is Partial and name in ("func", "args", "keywords", "__call__"):
@@ -101,8 +98,9 @@ _CLASS_METHODS: Final = {"dict.fromkeys": "from_keys"}
 
 def _of_builtin(machine: Engine, value: Value, name: str) -> Value:
     kind = type_name(value)
-    if isinstance(value, Slice) and name in ("start", "stop", "step"):
-        return value.fields()[("start", "stop", "step").index(name)]
+    held = of_value(value, name)
+    if held is not None:
+        return held
     if name == "__class__":
         return Native(f"builtins.{kind}")
     if isinstance(value, Const) and value == NONE:
@@ -158,7 +156,8 @@ def _of_object(machine: Engine, ref: Ref, name: str) -> Value:
     obj = machine.part(ref, name)
     if obj.kind != "instance":
         if name == "__class__":
-            return obj.cls
+            unclear = obj.payload in (ITERATOR, VIEW)  # a list in models only
+            return machine.unknown(Cause.CALL, name) if unclear else obj.cls
         if obj.kind == "generator" and name.partition("_")[0] in ("gi", "cr", "ag"):
             return machine.unknown(Cause.LIVE, f"generator.{name}")
         return BoundMethod(ref, Native(f"{obj.kind}.{name}"))

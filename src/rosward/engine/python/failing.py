@@ -146,7 +146,8 @@ def _load_global(machine: Engine, op: ops.LoadGlobal, frame: Frame) -> bool:
 
 
 def _load_cell(machine: Engine, op: ops.LoadCell, frame: Frame) -> bool:
-    return machine.at(frame.cells[op.cell]).attrs.get("value", UNBOUND) is UNBOUND
+    record = machine.at(frame.cells[op.cell])
+    return record.attrs.get("value", UNBOUND) is UNBOUND or "value" in record.partial
 
 
 def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool:
@@ -162,17 +163,21 @@ def _has(machine: Engine, value: Value, name: str) -> bool:
         own = obj.attrs.get(name, UNBOUND)
         if own is not UNBOUND and not obj.many and name not in obj.partial:
             return True
-        return members.lookup(machine, obj.cls, name) is not None or member_of(machine, obj, name) is not None
+        return members.surely_has(machine, obj.cls, name) or member_of(machine, obj, name) is not None
     if value.__class__ is ModuleValue:
         record = machine.at(value.address)
         return record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial
     if value.__class__ is Class:
-        return members.lookup(machine, value, name) is not None or name.startswith("__")
+        return members.surely_has(machine, value, name) or name.startswith("__")
     if value.__class__ is Choice:
         return all(_has(machine, o, name) for o in value.options)
     if value.__class__ is Const:
         return hasattr(value.value, name)
-    return value.__class__ in (Text, Tuple, Native, Function, BoundMethod) or value.__class__.__name__ == "Super"
+    if value.__class__ is Function:
+        kept = machine.function_record(value)
+        given = kept is not None and kept.attrs.get(name, UNBOUND) is not UNBOUND and name not in kept.partial
+        return given or hasattr(_has, name)
+    return value.__class__ in (Text, Tuple, Native, BoundMethod) or value.__class__.__name__ == "Super"
 
 
 def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool:

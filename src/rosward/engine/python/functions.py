@@ -76,15 +76,21 @@ def _of_every(machine: Engine, function: Function, name: str) -> Value | None:
     if name == "__code__":
         return _code(machine, function)
     if name == "__closure__":
-        cells = [machine.at(cell).attrs.get("value", UNBOUND) for cell in function.cells]
-        shown = (_object(machine, ("cell", n), cell_contents=v) for n, v in enumerate(cells))
-        return Tuple(tuple(shown)) if cells else NONE
+        shown = (
+            _object(machine, ("cell", n), cell, **_content(machine, cell)) for n, cell in enumerate(function.cells)
+        )
+        return Tuple(tuple(shown)) if function.cells else NONE
     return None
 
 
-def _object(machine: Engine, what: object, **attrs: Value) -> Value:
-    present = {name: value for name, value in attrs.items() if value is not UNBOUND}
-    return machine.allocate(Obj("instance", NONE, attrs=present), what)
+def _content(machine: Engine, cell: int) -> dict[str, Value]:
+    value = machine.at(cell).attrs.get("value", UNBOUND)
+    return {} if value is UNBOUND else {"cell_contents": value}
+
+
+def _object(machine: Engine, what: object, behind: object, **attrs: Value) -> Value:
+    """An object that shows something of a function; `behind` is what it shows, for whoever makes a function of it."""
+    return machine.allocate(Obj("instance", NONE, attrs=attrs, payload=behind), what)
 
 
 def kept_table(machine: Engine, owner: Value, entries: Iterable[tuple[str, Value]]) -> Value:
@@ -101,6 +107,7 @@ def _code(machine: Engine, function: Function) -> Value:
     return _object(
         machine,
         "code",
+        function,
         co_name=Const(code.name),
         co_qualname=Const(code.qualname),
         co_firstlineno=Const(code.line),

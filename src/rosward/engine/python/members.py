@@ -49,6 +49,20 @@ def lookup(machine: Engine, cls: Value, name: str) -> Value | None:
     return None if perhaps is UNBOUND else perhaps
 
 
+def surely_has(machine: Engine, cls: Value, name: str) -> bool:
+    """Whether a class has an attribute on each way that leads here."""
+    if cls.__class__ is not Class:
+        return lookup(machine, cls, name) is not None
+    for base in cls.mro:
+        if base.__class__ is Class:
+            record = machine.at(base.address)
+            if record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial:
+                return True
+        elif base.__class__ is Native and of_native_class(machine, base.name, name) is not None:
+            return True
+    return False
+
+
 def classes_of(machine: Engine, value: Value) -> list[Class]:
     """The classes of an object that may have been given another one; of any other, none."""
     given = machine.obj(value).attrs.get(CLASSES) if value.__class__ is Ref else None

@@ -55,13 +55,13 @@ def remove(machine: Engine, target: Value, name: str) -> None:
         if target.__class__ is Ref and remove_from_table(machine, record, name):
             return
         if name in record.attrs:
-            machine.put(target.address, _without(record, name))
+            machine.put(target.address, without(record, name))
     elif target.__class__ is Function:
         kept = machine.function_record(target)
         if kept is not None and name in kept.attrs:
-            machine.put(machine.library.function_address(target), _without(kept, name))
+            machine.put(machine.library.function_address(target), without(kept, name))
 
 
-def _without(record: Obj, name: str) -> Obj:
+def without(record: Obj, name: str) -> Obj:
     """Of several objects one has it no more."""
     return record.replace(partial=marked(record.partial, name)) if record.many else record.with_attr(name, UNBOUND)

@@ -86,6 +86,9 @@ def _delete(machine: Engine, op: ops.Delete, frame: Frame) -> None:
         modules.store_global(machine, frame.module, op.name, UNBOUND)
     elif op.kind == "item":
         items.delete(machine, frame.registers[op.obj], frame.registers[op.index])
+    elif op.kind == "cell":
+        address = frame.cells[op.obj]
+        machine.put(address, removal.without(machine.at(address), "value"))
     elif op.kind == "name" and op.name in machine.at(frame.namespace).attrs:
         machine.put(frame.namespace, machine.at(frame.namespace).with_attr(op.name, UNBOUND))
     elif op.kind == "attr":
@@ -150,13 +153,18 @@ def _unpack(machine: Engine, op: ops.Unpack, frame: Frame) -> bool | None:
     return None if items.unpack(machine, op, frame) else DEAD
 
 
-def _intrinsic(machine: Engine, op: ops.Intrinsic, frame: Frame) -> None:
+def _intrinsic(machine: Engine, op: ops.Intrinsic, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     arguments = [frame.registers[r] for r in op.arguments]
+    if op.name == "bound":
+        if arguments[0] is UNBOUND:
+            return DEAD if machine.die("UnboundLocalError", "variable without a value", ()) is UNBOUND else None
+        return None
     if op.name == "slice":
         frame.registers[op.dst] = Slice(arguments[0], arguments[1], arguments[2])
     else:
         frame.registers[op.dst] = items.intrinsic(machine, op.name, arguments, frame)
+    return None
 
 
 def _await(machine: Engine, op: ops.Await, frame: Frame) -> bool | None:

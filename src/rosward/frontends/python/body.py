@@ -104,6 +104,7 @@ class Body:
         "registers",
         "scope",
         "unit",
+        "unset",
     )
 
     def __init__(self, unit: Unit, scope: Scope, qualname: str, *, is_coroutine: bool = False) -> None:
@@ -116,6 +117,7 @@ class Body:
         self.free_register = 0
         self.registers = 0
         self.loops = 0
+        self.unset: set[ast.Name] = set()  # the reads of local variables that may find no value
         self.effects = 0  # counts what may run code elsewhere: calls, awaits, yields
 
     def imports(self, module: str) -> None:
@@ -228,6 +230,8 @@ class Body:
         if name.startswith("__"):
             name = self.scope.mangle(name)
         kind, number = self.scope.place(name)
+        if node in self.unset:
+            self.intrinsic(node, "bound", (number,))
         if kind is PlaceKind.REGISTER and name not in self.owner.walrus:
             return number
         dst = self.register()

@@ -16,6 +16,7 @@ from rosward.frontends.python.body import Body, Located, Unit, misplaced
 from rosward.frontends.python.comprehensions import enter
 from rosward.frontends.python.expressions import arguments
 from rosward.frontends.python.scopes import Scope, ScopeKind
+from rosward.frontends.python.unset import unset_reads
 from rosward.ir.ops import Argument, Build, Call, ImportFrom, LoadItem, MakeClass, MakeFunction, Return, StoreCell
 from rosward.ir.program import Code, CodeKind, Parameters
 
@@ -42,8 +43,9 @@ def lower_code(
     annotations: dict[str, str] | None = None,
     returns: str | None = None,
     doc: str | None = None,
+    statements: Sequence[ast.stmt] = (),
 ) -> Code:
-    """Lower one body."""
+    """Lower one body; `statements` are those of a function."""
     index = unit.bodies
     unit.bodies += 1
     body = Body(unit, scope, qualname, is_coroutine=is_coroutine)
@@ -58,6 +60,8 @@ def lower_code(
             if variable not in registers and variable not in scope.captured and variable not in outside:
                 registers[variable] = body.register()
                 variables.append(variable)
+    if statements and len(variables) > len(names):
+        body.unset = unset_reads(statements, names, variables)
     for number, parameter in enumerate(names):
         if parameter in scope.captured:
             body.ops.append(StoreCell(line, 1, scope.captured[parameter], number))
@@ -118,6 +122,7 @@ def _function(body: Body, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
         annotations=annotations,
         returns=None if node.returns is None else annotation_text(node.returns),
         doc=ast.get_docstring(node, clean=False),
+        statements=node.body,
     )
     dst = body.register()
     captures = captures_of(body, code)

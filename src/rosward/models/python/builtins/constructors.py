@@ -176,9 +176,9 @@ def type_of(machine: Machine, value: Value) -> Value:
     if isinstance(value, Class):
         found = machine.obj(Ref(value.address)).cls
         return found if isinstance(found, Class) else Native("builtins.type")
-    if isinstance(value, (Native, External)):
+    if isinstance(value, (Native, External, BoundMethod, Partial)):
         return unknown_from(machine, "type", "", value)
-    if isinstance(value, (Function, BoundMethod, Partial, ModuleValue)):
+    if isinstance(value, (Function, ModuleValue)):
         return Native("builtins.module" if isinstance(value, ModuleValue) else "builtins.function")
     kind = kind_of(machine, value)
     return Native(f"builtins.{kind}") if kind else unknown_from(machine, "type", "", value)

@@ -180,6 +180,9 @@ def _dir(call: NativeCall) -> Value:
     names: set[str] = set()
     for option in options(call.args[0]) if call.args else (NONE,):
         if isinstance(option, ModuleValue):
+            hook = machine.obj(Ref(option.address)).attrs.get("__dir__", UNBOUND)
+            if hook is not UNBOUND:
+                return machine.call_native("builtins.list", (machine.call(hook, ()),))
             inside = _of_module(call, option)
             if inside is None:
                 return machine.unknown(Cause.LIVE, "dir", "list")

@@ -296,8 +296,32 @@ def _method(call: NativeCall) -> Value:
     return lift(lambda function: BoundMethod(call.args[1], function), call.args[0])
 
 
+def _function(call: NativeCall) -> Value:
+    """types.FunctionType(code, globals, …): the function that the code was asked of, with other defaults and other captured variables."""
+    code, names, _, defaults, closure = call.args
+    of = _shown_by(call, code)
+    cells = [_shown_by(call, c) for c in closure.items] if isinstance(closure, Tuple) else []
+    known = defaults == NONE or isinstance(defaults, Tuple)
+    if isinstance(of, Function) and known and all(isinstance(c, int) for c in cells) and _sees(call, names, of):
+        given = defaults.items if isinstance(defaults, Tuple) else ()
+        return Function(of.code, of.module, tuple(c for c in cells if isinstance(c, int)), given, (), of.effects)
+    call.machine.report("RW203", "a function is made of code that is not known")
+    return unknown_from(call, "types.FunctionType", call.args)
+
+
+def _shown_by(call: NativeCall, value: Value) -> object:
+    """Of which function a code object is, and which cell is shown by one of `__closure__`."""
+    return call.machine.obj(value).payload if isinstance(value, Ref) else None
+
+
+def _sees(call: NativeCall, names: Value, function: Function) -> bool:
+    """Whether the global names that are given are those of the function's own module."""
+    return _shown_by(call, names) == Ref(function.module.address)
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "types._method": _method,
+    "types._function": _function,
     "copy.copy": _shallow,
     "copy.deepcopy": _deep,
     "contextlib._begin": _begin,
