@@ -159,7 +159,7 @@ class Walker:
             for key, several in found.items():
                 if self.together and is_of_program(several[0].code):
                     found[key] = [self._whole(key, several[0])]
-                elif len(several) > _FEW:
+                elif len(several) > _FEW and several[0].code.language != CPP:  # where each has variables of its own
                     found[key] = [merged(several)]
             self._bodies[seen] = found
         return found
