@@ -135,6 +135,7 @@ def memory(*, merges_objects: bool = True) -> Memory:
         many={MANY},
         inner={},
         numbers=Numbers(bool),
+        is_set=lambda _: False,
         few=48,
         merges_objects=merges_objects,
         tracker=None,

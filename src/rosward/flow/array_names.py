@@ -14,54 +14,38 @@ VIEWS: Final = frozenset(
         *("ndarray", "astype", "newbyteorder", "getfield", "nditer", "ndenumerate", "vectorize", "apply_along_axis"),
     )
 )
-CHANGE: Final = frozenset(("fill", "sort", "put", "partition", "resize", "itemset", "setfield", "byteswap", "seed"))
+CHANGE: Final = frozenset(
+    ("fill", "sort", "put", "partition", "resize", "itemset", "setfield", "byteswap", "seed", "setflags")
+)
 """Methods that write to their object."""
 INTO: Final[dict[str, int]] = {
-    **dict.fromkeys(
-        (
-            *(
-                "abs",
-                "absolute",
-                "arccos",
-                "arcsin",
-                "arctan",
-                "ceil",
-                "cos",
-                "deg2rad",
-                "degrees",
-                "exp",
-                "fabs",
-                "floor",
-            ),
-            *("isfinite", "isinf", "isnan", "log", "log10", "log2", "logical_not", "negative", "positive", "rad2deg"),
-            *("radians", "reciprocal", "rint", "sign", "sin", "sqrt", "square", "tan", "tanh", "trunc", "invert"),
+    name: place
+    for place, names in {
+        1: (
+            "at abs absolute acos acosh arccos arccosh arcsin arcsinh arctan arctanh asin asinh atan atanh bitwise_count "
+            "bitwise_invert bitwise_not cbrt ceil conj conjugate cos cosh deg2rad degrees exp exp2 expm1 fabs fix "
+            "floor frexp invert isfinite isinf isnan isnat isneginf isposinf log log10 log1p log2 logical_not modf "
+            "negative positive rad2deg radians reciprocal rint sign signbit sin sinh spacing sqrt square tan tanh "
+            "trunc"
         ),
-        1,
-    ),
-    **dict.fromkeys(
-        (
-            *(
-                "add",
-                "subtract",
-                "multiply",
-                "divide",
-                "true_divide",
-                "floor_divide",
-                "power",
-                "mod",
-                "remainder",
-                "dot",
-            ),
-            *("maximum", "minimum", "fmax", "fmin", "hypot", "arctan2", "logical_and", "logical_or", "logical_xor"),
-            *("bitwise_and", "bitwise_or", "bitwise_xor", "greater", "less", "equal", "matmul", "fmod", "copysign"),
-            *("not_equal", "greater_equal", "less_equal", "left_shift", "right_shift", "outer", "all", "any", "amax"),
-            *("amin", "max", "min", "argmax", "argmin", "round", "around", "choose", "concatenate", "stack"),
+        2: (
+            "add all amax amin any arctan2 argmax argmin around atan2 bitwise_and bitwise_left_shift bitwise_or "
+            "bitwise_right_shift bitwise_xor choose concat concatenate copysign divide divmod dot equal float_power "
+            "floor_divide fmax fmin fmod gcd greater greater_equal heaviside hypot lcm ldexp left_shift less "
+            "less_equal logaddexp logaddexp2 logical_and logical_or logical_xor matmul matvec max maximum median min "
+            "minimum mod multiply nanargmax nanargmin nanmax nanmedian nanmin nextafter not_equal outer pow power ptp "
+            "remainder right_shift round round_ stack subtract true_divide vecdot vecmat"
         ),
-        2,
-    ),
-    **dict.fromkeys(("clip", "cumsum", "cumprod", "sum", "prod", "mean", "std", "var", "take", "compress"), 3),
+        3: (
+            "clip compress cumprod cumsum mean nancumprod nancumsum nanmean nanpercentile nanprod nanquantile nanstd "
+            "nansum nanvar percentile prod quantile std sum take var"
+        ),
+        4: "reduce accumulate",
+        5: "reduceat trace",
+    }.items()
+    for name in names.split()
 }
-"""Functions that write into what they are given in this place, counted from 0."""
+"""Functions that write into what they are given from this place on, counted from 0; as methods, from the one before."""
 PICTURES: Final[dict[str, tuple[int, ...]]] = {
     f"cv2.{name}": places
     for places, names in {

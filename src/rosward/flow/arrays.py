@@ -44,10 +44,11 @@ def change(
         method = name.rpartition(".")[2]
         if method in CHANGE and not name.startswith(_MODULES):
             changed.append(owner)
-        elif name.startswith("numpy.") and len(marks) > (place := INTO.get(method, len(marks))):
-            changed.append(marks[place])
+        elif name.startswith("numpy.") and method in INTO:
+            changed += marks[INTO[method] - (name.count(".") > 1) :]
     for each in changed:
-        memory.write_any(each.roots, Mark(mask), mask)
+        several = [root for root in each.roots if root.__class__ is tuple and root[0] == "tuple"]
+        memory.write_any(each.roots.union(memory.read_all(several).roots), Mark(mask), mask)
 
 
 _MODULES: Final = ("numpy.random.", "numpy.sort", "numpy.put", "numpy.partition", "numpy.resize")

@@ -89,7 +89,8 @@ def run_callees(
         if code.file.startswith("models:") and not code.is_stub:
             result = _perform(walker, body, name, whole, result)
         if walker.hurries and walker.shape.said(name).pure and walker.sites.only_compute(mine, walker.shape.said):
-            computed = library.computed(walker, body, name, whole).under(implicit.given_by(walker, whole))
+            whole = implicit.under_given(walker, name, whole, unseen=True, but=walker.shape.nodes)
+            computed = library.computed(walker, body, name, whole)
             result = computed if result is None else result.joined(computed)
             continue
         if not mine and code.is_stub:
@@ -248,7 +249,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     waits = walker.threaded and (site.waits or site.pauses)
     if waits or site.spins:
         walker.leave()
-    if waits or not walker.calling.isdisjoint(owners):
+    if waits or not all(walker.calling.isdisjoint(walker.shape.numbers.alike(owner)) for owner in owners):
         walker.meet_callbacks()
     if seen.scheduled:
         # Callbacks are told of what comes in here.

@@ -18,6 +18,7 @@ from rosward.flow import arrays, hidden
 from rosward.flow.marks import NOTHING, Mark, Root, decided, demoted, name_of, of_library
 from rosward.flow.outside import cleaned, comes_in, out
 from rosward.flow.reading import each_of, of_classes, opaque, owners_of, part_of
+from rosward.flow.site import WRITING
 from rosward.models.flow_marks import NO_MARK
 
 if TYPE_CHECKING:
@@ -77,7 +78,8 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
         roots = frozenset(r for r in mark.roots if r not in nodes) if number == 0 else mark.roots
         mask |= walker.memory.deep(Mark(mark.mask, roots))
     for root in marks[0].roots if marks else ():
-        mask |= walker.stopped.get(root, 0)  # whether it goes on
+        for each in walker.shape.numbers.alike(root):
+            mask |= walker.stopped.get(each, 0)  # whether it goes on
     given = perform(walker, name, mask, body.pc)
     said = walker.shape.said(name)
     for parameter in said.stops:
@@ -137,16 +139,19 @@ def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
         walker.memory.write_any(marks[0].roots, Mark(mask, roots - marks[0].roots), mask)
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
+    if kept := frozenset(r for r in roots if isinstance(r, int)):
+        walker.memory.write_any((root,), Mark(0, kept))
     if len(roots) > _FEW:
         walker.memory.merge(opaque(Mark(0, roots)))
         roots = walker.shape.numbers.canonical(roots)
     return Mark(mask, roots | {root})
 
 
-def of_base(walker: Walker, address: int, name: str) -> Mark:
+def of_base(walker: Walker, root: Root, name: str) -> Mark:
     """What an object has of a base class that nobody knows, where marks say something of it: `self.rfile` of a handler of requests."""
     found, roots = 0, set[Root]()
-    for base in walker.shape.unknown_bases(address):
+    addresses = [each for each in walker.shape.numbers.alike(root) if isinstance(each, int)]
+    for base in {base for address in addresses for base in walker.shape.unknown_bases(address)}:
         said = walker.shape.said(f"{base}.{name}")
         if said.is_known:
             roots.add(of_library(f"{base}.{name}"))
@@ -191,10 +196,11 @@ def put_there(walker: Walker, owner: Mark, name: str, function: Mark, pc: int) -
 
 def stop(walker: Walker, root: Root, mask: int) -> None:
     """A timer or subscription is stopped or started here: its callback runs only where this decides so."""
-    old = walker.stopped.get(root, 0)
-    if old | mask != old:
-        walker.stopped[root] = old | mask
-        walker.tell((root,))
+    for each in walker.shape.numbers.alike(root):
+        old = walker.stopped.get(each, 0)
+        if old | mask != old:
+            walker.stopped[each] = old | mask
+            walker.tell((each,))
 
 
 def unknown(
@@ -217,7 +223,8 @@ def unknown(
     if known and all(said.releases for said in known):
         cleaned(walker, names[0], mask)
         return Mark(body.pc | given, frozenset((root,)))
-    if known and all(said.is_known and not said.changes for said in known):
+    changing = any(isinstance(root[1], int) and root[2] in WRITING for root in opaque(function) if root[0] == "of")
+    if known and not changing and all(said.is_known and not said.changes for said in known):
         return Mark(mask | given, arrays.viewed(names, everything) | {root})
     reached: set[Root] = set()
     for mark in everything:

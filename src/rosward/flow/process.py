@@ -203,6 +203,7 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     given |= hidden.told_to(walker, entry)
     if entry.event == "log":
         given |= hidden.logged(walker)
+        pc |= demoted(given)  # what a logger holds may say whether it is told
     if _implicit(walker, entry):
         told, brought = implicit.arguments_of(walker, entry.callback), library.brought_to(walker, entry.callback)
         given, pc = given | told.mask | brought, pc | decided(brought)

@@ -131,7 +131,7 @@ class Sites:
             return False
         if isinstance(op, ops.Call):
             natives = [f for f in callees(seen.functions) if isinstance(f, Native)]
-            return self.of(op, seen).of_library or any(f.name.rpartition(".")[2] in _WRITING for f in natives)
+            return self.of(op, seen).of_library or any(f.name.rpartition(".")[2] in WRITING for f in natives)
         if isinstance(op, (ops.StoreAttr, ops.StoreItem, ops.Delete)):
             return op.obj < len(code.parameters.names) and code.name not in _MAKING
         return bool(getattr(op, "inplace", False))
@@ -254,7 +254,7 @@ def _does(function: Value, kinds: tuple[Const, ...]) -> bool:
 
 
 _MAKING: Final = frozenset(("__init__", "__new__"))
-_WRITING: Final = frozenset(
+WRITING: Final = frozenset(
     (
         *(
             "append",

@@ -20,6 +20,7 @@ from rosward.flow.native.constructed import attributes
 from rosward.flow.native.partials import bound_in
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque
 from rosward.flow.stored.content import Content
+from rosward.flow.stored.store import MELTED
 from rosward.ir import ops
 from rosward.ir.registers import reads, writes
 
@@ -162,7 +163,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
             known = False
             if shape.part(root, name) in seen.refs:
                 found = content.any  # which part of a message it is, the message does not say
-            if isinstance(root, int) and _of_base(seen):
+            if (isinstance(root, int) or root[0] == MELTED) and _of_base(seen):
                 found = Mark(found.mask, found.roots | {("of", root, name)}).joined(library.of_base(walker, root, name))
         if seen.reasons and isinstance(root, int) and not seen.refs and not any(map(name_of, found.roots)):
             found = found.joined(_of_model(walker, op, body, root))

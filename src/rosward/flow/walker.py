@@ -159,7 +159,7 @@ class Walker:
             for key, several in found.items():
                 if self.together and is_of_program(several[0].code):
                     found[key] = [self._whole(key, several[0])]
-                elif len(several) > _FEW:
+                elif len(several) > _FEW and several[0].code.language != CPP:  # where each has variables of its own
                     found[key] = [merged(several)]
             self._bodies[seen] = found
         return found
@@ -187,7 +187,7 @@ class Walker:
         new = owners - self.calling
         if new:
             self.calling |= new
-            self.tell(new)
+            self.tell(each for root in new for each in self.shape.numbers.alike(root))
 
     def tell(self, news: Iterable[object]) -> None:
         """Walks that have asked for these find something else from now on."""
@@ -256,15 +256,17 @@ class Walker:
         """What runs has come to its end, or lets others run: they may find what it wrote."""
         self.changed |= self.beside.take(self.memory)
 
-    def source_here(self, kind: str) -> Source:
-        """What arrives here, of that kind: at the object of whose method this runs."""
+    def arrives_here(self, kind: str) -> int:
+        """What arrives here, of that kind: at the object of whose method this runs, or at any that it may be."""
+        mask, alike = 0, self.shape.numbers.alike
         for body in reversed(self.bodies):
-            receivers = body.registers[0].roots if body.registers else ()
-            for root in receivers:
-                found = self.shape.entity(root, kind)
-                if found is not None:
-                    return found
-        return Source(kind)
+            for root in body.registers[0].roots if body.registers else ():
+                for each in alike(root):
+                    found = self.shape.entity(each, kind)
+                    mask |= 0 if found is None else self.sources.data(found)
+            if mask:
+                return mask
+        return self.sources.data(Source(kind))
 
     def point(self, body: Body) -> Point:
         """Where control is, to come back to."""

@@ -33,8 +33,11 @@ _READ: Final = _WINDOWS | {
 """Libraries whose functions and objects only read what they are given, as they are documented."""
 
 _WRITE: Final = frozenset(
-    {"shuffle", "copyto", "put", "putmask", "place", "fill_diagonal", "put_along_axis", "unpack_to"}
-)
+    {
+        "shuffle", "copyto", "put", "putmask", "place", "fill_diagonal", "put_along_axis", "unpack_to",
+        "save", "savez", "savez_compressed", "savetxt", "savefig", "dump", "to_csv", "to_json", "to_pickle",  # to an open file
+    }
+)  # fmt: skip
 """The last words of the names of those that change it all the same."""
 
 _FOREIGN: Final = _READ | {

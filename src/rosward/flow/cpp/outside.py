@@ -243,7 +243,7 @@ def _arrives(walker: Walker, body: Body, seen: Seen, name: str) -> int:
             break
         kind = _kind(inner)
         if kind:
-            mask |= walker.sources.data(walker.source_here(kind))
+            mask |= walker.arrives_here(kind)
             break
     for address in (*seen.refs, *seen.made, *(seen.wrote if name == "rosward.fill" else ())):
         if isinstance(address, int):

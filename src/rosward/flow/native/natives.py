@@ -191,9 +191,10 @@ def _pass(call: NativeCall) -> Mark:
 
 
 def _view(call: NativeCall) -> Mark:
-    """`memoryview(raw)`: what is written to it stands in what it is a view of."""
-    given = call.mark(0)
-    return Mark(call.pc | given.mask, given.roots | call.computed(0).roots)
+    """`memoryview(raw)`: what is written to it stands in what it is a view of, in any attribute of an object."""
+    given, view = call.mark(0), call.computed(0).roots
+    call.walker.memory.write_any((r for r in given.roots if isinstance(r, int)), Mark(0, view))
+    return Mark(call.pc | given.mask, given.roots | view)
 
 
 def _nothing(call: NativeCall) -> Mark:
@@ -229,11 +230,10 @@ def _of_library(call: NativeCall) -> Mark:
     """`_rosward.unknown(…)`: what a library makes of all that it was given."""
     mask = call.pc | _given_to_library(call)
     if call.key(1) == "cancel request":
-        mask = call.pc | call.walker.sources.data(call.walker.source_here("cancel"))
         call.walker.ask((CANCELLED,))
-        mask |= call.walker.stopped.get(CANCELLED, 0)
+        mask = call.pc | call.walker.arrives_here("cancel") | call.walker.stopped.get(CANCELLED, 0)
     elif call.key(1) == "answer to a goal":
-        mask = call.pc | call.walker.sources.data(call.walker.source_here("result"))
+        mask = call.pc | call.walker.arrives_here("result")
     return call.computed(mask)
 
 
@@ -270,7 +270,7 @@ def _arrives(call: NativeCall) -> Mark:
     mask = call.pc
     known = _ARRIVING.get(kind)
     if known is not None:
-        mask |= call.walker.sources.data(call.walker.source_here(known))
+        mask |= call.walker.arrives_here(known)
     elif kind in _MADE:
         mask |= _given_to_library(call)
     for root in call.seen.refs:

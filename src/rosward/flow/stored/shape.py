@@ -14,7 +14,7 @@ from rosward.engine.python.implicit import FOLLOWED
 from rosward.engine.running.seen import Activation, refs_of
 from rosward.flow.marks import Root, unrolled
 from rosward.flow.said import marks_of, told_by
-from rosward.flow.stored.store import Numbers
+from rosward.flow.stored.store import MELTED, Numbers
 from rosward.flow.stored.tracker import Tracker
 from rosward.flow.stored.trail import Trail
 from rosward.models.python.containers.lists import ITERATOR
@@ -70,6 +70,19 @@ _MOST_PARTS: Final = 6
 """What a library makes has no name from so many dots on: it may be made of itself, in each turn of a loop."""
 
 
+class Many:
+    """What objects are that are one: where their classes keep their attributes, whether there are iterators and sets among them.
+
+    `count`: so many of them were looked at; there may be more later.
+    """
+
+    __slots__ = ("classes", "count", "iterators", "sets")
+
+    def __init__(self) -> None:
+        self.classes: dict[int, None] = {}
+        self.count, self.iterators, self.sets = 0, False, False
+
+
 @final
 class Shape:
     """Which objects there are several of, which are nodes, and what each holds at the end.
@@ -106,6 +119,7 @@ class Shape:
         self._laid_out: dict[Root, bool] | None = None
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
+        self._many: dict[int, Many] = {}
 
     def made(self, activation: Activation, number: int, name: str = "", kind: str = "made") -> Root:
         """The object that an operation makes and that has no address; `name`: of what in a library it is the result."""
@@ -126,8 +140,29 @@ class Shape:
 
     def is_iterator(self, root: Root) -> bool:
         """Whether elements are used up where somebody goes through it."""
-        record = self.record(root) if isinstance(root, int) else None
+        if root.__class__ is tuple:
+            return root[0] == MELTED and self.many_as_one(root).iterators
+        record = self.record(root)  # type: ignore[arg-type]  # an address
         return record is not None and record.kind == "list" and record.payload == ITERATOR
+
+    def is_set(self, root: Root) -> bool:
+        """Whether it is a set, or one with some."""
+        if self.numbers.of.get(root) in self.numbers.merged:
+            return self.many_as_one(root).sets
+        return isinstance(root, int) and self.kind(root) == "set"
+
+    def many_as_one(self, root: Root) -> Many:
+        """What those are with which an object is one."""
+        number = self.numbers.number(root)
+        found = self._many.setdefault(number, Many())
+        several = self.numbers.alike(root)
+        for each in several[found.count :]:
+            if isinstance(each, int):
+                found.classes.update(dict.fromkeys(self.classes(each)))
+                found.iterators |= self.is_iterator(each)
+                found.sets |= self.kind(each) == "set"
+        found.count = len(several)
+        return found
 
     def kind(self, address: int) -> str:
         """What stands at an address: an object of a class ('instance'), a 'set', a 'dict' and so on; '' where nobody knows."""
@@ -187,10 +222,10 @@ class Shape:
             for value in (*(obj.items or ()), *obj.entries.values(), *obj.entries, *rest):
                 yield from refs_of(value)
 
-    def classes(self, root: object) -> tuple[int, ...]:
-        """Where the class of an object and its bases keep their attributes."""
+    def classes(self, root: object) -> Collection[int]:
+        """Where the class of an object and its bases keep their attributes; of what stands for many, those of all."""
         if not isinstance(root, int):
-            return ()
+            return self.many_as_one(root).classes if root[0] == MELTED else ()  # type: ignore[index, arg-type]  # a root
         found = self._classes.get(root)
         if found is None:
             obj = self.record(root)
@@ -203,12 +238,12 @@ class Shape:
         """The same for several objects."""
         if len(roots) == 1:
             return self.classes(*roots)
-        return dict.fromkeys(cls for root in roots if root.__class__ is int for cls in self.classes(root))
+        return dict.fromkeys(cls for root in roots for cls in self.classes(root))
 
     def fields(self, roots: Iterable[Root]) -> tuple[str, ...]:
         """The names of what objects are made of, in order, where their classes say so and agree."""
         found: set[tuple[str, ...]] = set()
-        for root in roots:
+        for root in (each for one in roots for each in self.numbers.alike(one)):
             known: tuple[str, ...] = ()
             for cls in self.classes(root):
                 record = self.record(cls)

@@ -177,7 +177,7 @@ class Standing(Store):
         for root in self.apart(roots):
             content = self.of(root)
             found |= content.size | content.base
-            if isinstance(root, int) and self.shape.kind(root) == "set":
+            if self.shape.is_set(root):
                 found |= self.deep(Mark(0, frozenset((root,))))
         return found
 
@@ -377,7 +377,7 @@ class Standing(Store):
                 continue
             if len(found) > _MOST:
                 raise TooLongError
-            found[here] = root
+            found[here] = self.numbers.one(root)  # which is of all classes
             further = self.of(root).whole.roots
             if id(further) not in known:
                 known.add(id(further))

@@ -11,7 +11,7 @@ have one number, and one content.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Set
+from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 from itertools import compress
 from operator import is_not
 from typing import Final, final
@@ -122,6 +122,11 @@ class Numbers:
         """What stands for an object: itself, unless it is merged."""
         number = self.of.get(root)
         return root if number is None or number not in self.merged else self.roots[number]
+
+    def alike(self, root: Root) -> Sequence[Root]:
+        """The objects that an object is one with; itself, where it is not merged."""
+        number = self.of.get(root)
+        return (root,) if number is None else self.merged.get(number, (root,))
 
     def comes_in(self, number: int) -> None:
         """What stands in an object came from outside; where it stands for several, in each of them."""

@@ -27,6 +27,7 @@ class Timer:
     @calls("callback", event="timer", args=())
     def __init__(self, callback, callback_group, timer_period_ns, clock, *, context=None, autostart=True):
         self._callback = callback
+        self._period_ns = timer_period_ns
         self.callback_group = callback_group
 
     @property
@@ -48,10 +49,12 @@ class Timer:
     def clock(self): ...
 
     @property
-    def timer_period_ns(self) -> int: ...
+    def timer_period_ns(self):
+        return self._period_ns
 
     @timer_period_ns.setter
-    def timer_period_ns(self, value) -> None: ...
+    def timer_period_ns(self, value):
+        self._period_ns = value
 
     def is_ready(self) -> bool: ...
     def is_canceled(self) -> bool: ...
