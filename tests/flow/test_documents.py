@@ -49,6 +49,50 @@ def test_links_join_what_is_sent_to_what_arrives(capsys: pytest.CaptureFixture[s
     assert (f"/building/door_gateway response:{doors}", f"/porter/delivery_planner response:{doors}") in links
 
 
+_KEPT_BY_A_LIBRARY = """
+import rclpy
+import smach
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Send(smach.State):
+    def execute(self, userdata):
+        userdata.out.publish(userdata.message)
+        return "done"
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__("robot")
+        self.echo = self.create_publisher(String, "echo", 1)
+        self.create_subscription(String, "heard", self.hear, 1)
+        self.machine = smach.StateMachine(["done"])
+        self.machine.userdata.out = self.create_publisher(String, "kept", 1)
+        self.machine.add("SEND", Send())
+
+    def hear(self, message):
+        self.machine.userdata.message = message
+        self.machine.execute()
+        self.echo.publish(String(data="heard"))
+
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+
+
+def test_what_a_library_got_hold_of_may_send(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Over an output that nothing else sends over, anything; where the program sends, what it does."""
+    (tmp_path / "robot.py").write_text(_KEPT_BY_A_LIBRARY)
+    (node,) = json.loads(printed(capsys, str(tmp_path), "--format", "json"))["nodes"]
+    sinks = {sink["sink"]: (sink["data"], sink["assumed"]) for sink in node["sinks"]}
+    assert node["interface"] == "partial"
+    assert sinks["topic:/kept"] == (["topic:/heard"], ["topic:/heard"])
+    assert sinks["topic:/echo"] == ([], [])
+    assert "partially known; each input is assumed for /kept" in printed(capsys, str(tmp_path))
+
+
 def test_it_is_written_to_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert printed(capsys, EXAMPLES, "--format", "json", "-o", str(tmp_path)) == f"wrote {tmp_path}/flow.json\n"
     assert json.loads((tmp_path / "flow.json").read_text())["schema"] == 1

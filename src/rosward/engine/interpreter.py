@@ -74,6 +74,9 @@ class Interpreter(Answers):
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last
         self.unheld: set[int] = set()  # what nothing holds any more of the last time that callbacks ran (`unheld.py`)
+        self.declarations: dict[object, tuple[int, ...]] = {}  # what variables in C++ were last (`cpp/again.py`)
+        self.ended: set[int] = set()  # those of a call that is over of which one is about to be made anew
+        self.returned: set[int] = set()  # objects that functions in C++ have returned
         self.lasting: set[int] = set()  # variables to which nothing leads, and that last as long as the program
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, Running] = {}  # the generators that run now, by address
@@ -298,6 +301,9 @@ class Interpreter(Answers):
         if address in self.unheld:
             self.unheld.discard(address)
             self.summaries.anew.append(address)
+        elif address in self.ended:
+            self.ended.discard(address)
+            self.summaries.fresh.add(address)
         elif old is not None and not (isinstance(old.payload, Suspension) and old.payload.is_over):
             joined = join_objects(old, obj, join)
             if not joined.many:

@@ -106,6 +106,9 @@ class Engine(Machine, Protocol):
     noted: int
     handling: list[tuple[Value, int]]
     unheld: set[int]
+    declarations: dict[object, tuple[int, ...]]
+    ended: set[int]
+    returned: set[int]
     lasting: set[int]
     inner: dict[int, int]
     missed: set[int]

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Nodes that were not analysed: each output may hold each input, unless its declaration says better (deployment/declared/flows.py).
 
-Of a node of which nothing is known, any topic may hold any other.
+Of a node of which nothing is known, any topic may hold any other. Of one of which something unknown got hold, that may send over what
+nothing that is known sends over (`machine.userdata.out = self.publisher`).
 """
 
 from __future__ import annotations
@@ -20,11 +21,18 @@ _ANYTHING: Final = End("topic", "/*")
 def flows_of(node: Node) -> NodeFlows:
     """The flows of a node, assumed where nobody knows them."""
     if node.flows is not None:
-        return node.flows
+        return _with_unknown_senders(node, node.flows) if node.interface is Interface.PARTIAL else node.flows
     if node.interface is Interface.UNKNOWN:
         anything = NodeSink(_ANYTHING, node.defined_at, data=(_ANYTHING,), assumed=(_ANYTHING,))
         return NodeFlows((anything,), complete=False)
     return NodeFlows(tuple(all_to_all(node, (node,))), complete=False)
+
+
+def _with_unknown_senders(node: Node, flows: NodeFlows) -> NodeFlows:
+    """With the outputs that nothing is known to send over, each of which may hold each input."""
+    sent = {sink.sink for sink in flows.sinks}
+    assumed = [sink for sink in all_to_all(node, (node,)) if sink.sink not in sent]
+    return replace(flows, sinks=(*flows.sinks, *assumed)) if assumed else flows
 
 
 def unreleased(sink: NodeSink, released: Iterable[NodeSink]) -> NodeSink:

@@ -155,6 +155,8 @@ def _finds(machine: Engine, call: Call) -> bool:
     heap, unheld = machine.state.heap, machine.unheld
     if any(address not in unheld and heap.get(address) is not None for address in call.anew):
         return False
+    if not machine.returned.isdisjoint(call.fresh):
+        return False
     if not unheld or unheld.isdisjoint(call.addresses):
         return heap.holds(call.addresses, call.records)
     found = list(zip(call.addresses, call.records, strict=True))

@@ -19,7 +19,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
 from rosward.engine.calls.alternatives import each_apart
-from rosward.engine.cpp import construct, guessing, members, names, unaware, visitors
+from rosward.engine.cpp import again, construct, guessing, members, names, unaware, visitors
 from rosward.engine.cpp.binding import bind
 from rosward.engine.cpp.categories import class_cast_to
 from rosward.engine.cpp.comparing import COMPARED, made_up
@@ -265,6 +265,7 @@ def _is_beside(machine: Engine, this: Ref, own: Class) -> bool:
 
 def _fresh(machine: Engine, value: Value) -> Value:
     """A value that nobody but the caller has."""
+    again.hand_out(machine, value)
     if machine.frames:
         machine.frames[-1].fresh = value
     return value

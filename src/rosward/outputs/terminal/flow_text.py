@@ -71,10 +71,11 @@ def _doubt(node: Node) -> str:
         return f"  ({known}: each output may hold each input)"
     if not flows.complete:
         return "  (not wholly known: outputs may hold every input)"
+    assumed = ", ".join(shown(sink.sink) for sink in flows_of(node).sinks if sink.assumed)
+    told = f"; each input is assumed for {assumed}" if assumed else ""
     if node.interface is Interface.DECLARED:
-        assumed = [shown(sink.sink) for sink in flows.sinks if sink.assumed]
-        return f"  (declared{'; each input is assumed for ' if assumed else ''}{', '.join(assumed)})"
-    return ""
+        return f"  (declared{told})"
+    return f"  (partially known{told})" if told and node.interface is Interface.PARTIAL else ""
 
 
 def _by_calls(
