@@ -327,9 +327,12 @@ class Frame:
         values = [self.get(register) for register in op.arguments]
         self.registers[op.dst] = getattr(self, f"intrinsic_{op.name}", self._other)(op.name, values)
 
+    def intrinsic_bound(self, _name: str, v: list[Any]) -> None:
+        if not v[0]:
+            raise UnboundLocalError
+
     def _other(self, name: str, v: list[Any]) -> Any:
         table: dict[str, Callable[[], Any]] = {
-            "bound": lambda: None,
             "slice": lambda: slice(*v),
             "append": lambda: v[0].append(v[1]),
             "set_add": lambda: v[0].add(v[1]),

@@ -201,7 +201,7 @@ class Intrinsic(Op):
     slice(lower, upper, step), append(list, value), set_add(set, value), dict_set(dict, key, value), annotate(class name text, type text),
     is_sequence(v), is_mapping(v), length_is(v, n), length_at_least(v, n), mapping_rest(v, key…), match_args(cls, n) (the tuple of
     attribute names that stand for positional sub-patterns), exception() (the one being handled), doc() (any other constant-like unknown),
-    bound(v) (a local variable that may have no value is read: UnboundLocalError where it has none),
+    bound(v) (a local variable is read, and v says whether it has a value: UnboundLocalError where it has none),
     isinstance(v, cls), hasattr(v, name), getattr(v, name) (these three as `match` uses them: the builtins, whatever a program calls so),
     unsupported(…) (a construct that the frontend doesn't know; what of it could be lowered stands before).
     """

@@ -31,6 +31,7 @@ from rosward.engine.python.specials import one_has, special
 from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
 from rosward.models.python.builtins.attributes import is_open
 from rosward.models.python.comparing.equal_objects import compares
+from rosward.models.python.comparing.kinds import names_kind
 from rosward.models.python.containers.lists import ITERATOR
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
@@ -219,7 +220,7 @@ def _same(machine: Engine, left: Value, right: Value) -> bool | None:
             return False
         return bool(left.value == right.value)
     if left.__class__ is not right.__class__:
-        return False
+        return None if names_kind(left, right) else False
     if left == right:  # `node.tick is node.tick` makes two objects, of which each is itself
         return None if left.__class__ in (BoundMethod, Partial, Tuple) else True
     return None if left.__class__ not in (Class, Function, Native) else False

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.choice import is_text
 from rosward.domain.compound import BoundMethod, External, Native, Partial, TooManyPartsError, Tuple
 from rosward.domain.heap import KIND
-from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Value
+from rosward.domain.values import NONE, TRUE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Value
 from rosward.engine.python import members
 from rosward.engine.running.catcher import LIBRARY, OPERATION
 from rosward.engine.throwing import note
@@ -261,7 +261,9 @@ def _unpack(machine: Engine, op: ops.Unpack, frame: Frame) -> bool:
     return not (value.__class__ is Tuple and len(value.items) == len(op.dsts) and op.star == ops.NO_REGISTER)
 
 
-def _intrinsic(_machine: Engine, op: ops.Intrinsic, _frame: Frame) -> bool:
+def _intrinsic(_machine: Engine, op: ops.Intrinsic, frame: Frame) -> bool:
+    if op.name == "bound":
+        return frame.registers[op.arguments[0]] != TRUE
     return op.name not in _SAFE_INTRINSICS
 
 

@@ -77,9 +77,10 @@ def _of_every(machine: Engine, function: Function, name: str) -> Value | None:
         return _code(machine, function)
     if name == "__closure__":
         shown = (
-            _object(machine, ("cell", n), cell, **_content(machine, cell)) for n, cell in enumerate(function.cells)
+            _object(machine, ("cell", n), cell, **_content(machine, cell))
+            for n, (_, cell) in enumerate(zip(function.code.free, function.cells, strict=False))
         )
-        return Tuple(tuple(shown)) if function.cells else NONE
+        return Tuple(tuple(shown)) if function.code.free else NONE
     return None
 
 

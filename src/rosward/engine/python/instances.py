@@ -124,6 +124,8 @@ def _of_kind(machine: Engine, value: Value, name: str) -> bool | None:
         cls = type_of(machine, value)
         named = isinstance(cls, Class) and any(isinstance(b, Class) and b.name == name for b in cls.mro)
         return named if kind != "generator" else (None if name in _SUSPENDED else False)
+    if value.__class__ is BoundMethod and value.function.__class__ is Native:
+        return None  # a method of Python's own, or one that a model does in code
     if value.__class__ in _KINDS:
         return name in _KINDS[value.__class__]
     return False if value.__class__ in (Const, Text, Tuple, Class) or is_known_interface(machine, value) else None

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join, options
 from rosward.domain.compound import Slice
 from rosward.domain.heap import Obj
-from rosward.domain.values import NONE, UNBOUND, Const, Value
+from rosward.domain.values import FALSE, NONE, UNBOUND, Const, Value
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.calls.recalled_loops import recalling
 from rosward.engine.machine import Handler
@@ -157,7 +157,7 @@ def _intrinsic(machine: Engine, op: ops.Intrinsic, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     arguments = [frame.registers[r] for r in op.arguments]
     if op.name == "bound":
-        if arguments[0] is UNBOUND:
+        if arguments[0] == FALSE:
             return DEAD if machine.die("UnboundLocalError", "variable without a value", ()) is UNBOUND else None
         return None
     if op.name == "slice":

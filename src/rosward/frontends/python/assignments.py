@@ -156,7 +156,9 @@ def delete_name(body: Body, node: Located, name: str) -> None:
     line, column = node.lineno, node.col_offset + 1
     kind, number = body.place(name)
     if kind is PlaceKind.REGISTER:
+        body.check(node, number)
         body.ops.append(Delete(line, column, "local", number, name))
+        body.mark(node, number, False)
     elif kind is PlaceKind.CELL:
         body.ops.append(Delete(line, column, "cell", number, name))
     else:

@@ -98,6 +98,7 @@ class Body:
         "free_register",
         "is_coroutine",
         "loops",
+        "marks",
         "ops",
         "owner",
         "qualname",
@@ -118,6 +119,7 @@ class Body:
         self.registers = 0
         self.loops = 0
         self.unset: set[ast.Name] = set()  # the reads of local variables that may find no value
+        self.marks: dict[int, int] = {}  # for the register of each of them one that says whether it has a value
         self.effects = 0  # counts what may run code elsewhere: calls, awaits, yields
 
     def imports(self, module: str) -> None:
@@ -219,19 +221,18 @@ class Body:
         return self.scope.place(name)
 
     def local(self, node: ast.expr | None) -> int:
-        """The register of a plain local variable, or NO_REGISTER."""
+        """The register of a local variable to which an operation may write its result, or NO_REGISTER."""
         if type(node) is not ast.Name:
             return NO_REGISTER
         kind, number = self.place(node.id)
-        return number if kind is PlaceKind.REGISTER else NO_REGISTER
+        return number if kind is PlaceKind.REGISTER and number not in self.marks else NO_REGISTER
 
     def load(self, node: Located, name: str) -> int:
         """A register with the value of a variable: its own register where it has one."""
         if name.startswith("__"):
             name = self.scope.mangle(name)
         kind, number = self.scope.place(name)
-        if node in self.unset:
-            self.intrinsic(node, "bound", (number,))
+        self.check(node, number)
         if kind is PlaceKind.REGISTER and name not in self.owner.walrus:
             return number
         dst = self.register()
@@ -246,6 +247,25 @@ class Body:
             self.ops.append(Move(line, column, dst, number))
         return dst
 
+    def watch(self, reads: set[ast.Name]) -> None:
+        """Follow whether the variables have a value that are read here."""
+        self.unset = reads
+        line = min((read.lineno for read in reads), default=0)
+        for name in sorted({read.id for read in reads}):
+            number = self.place(name).number
+            self.marks[number] = self.register()
+            self.ops.append(Const(line, 1, self.marks[number], False))
+
+    def check(self, node: Located, number: int) -> None:
+        """The local variable in a register is read here, or deleted: it may have no value."""
+        if node in self.unset:
+            self.intrinsic(node, "bound", (self.marks[number],))
+
+    def mark(self, node: Located, number: int, has_value: bool) -> None:
+        """The local variable in a register has a value from here on, or has none."""
+        if number in self.marks:
+            self.ops.append(Const(node.lineno, node.col_offset + 1, self.marks[number], has_value))
+
     def store(self, node: Located, name: str, src: int) -> None:
         """Assign to a variable. src may be a temporary that ends here."""
         if name.startswith("__"):
@@ -254,6 +274,7 @@ class Body:
         line, column = node.lineno, node.col_offset + 1
         if kind is PlaceKind.REGISTER:
             self.settle(node, number, src)
+            self.mark(node, number, True)
         elif kind is PlaceKind.GLOBAL:
             self.ops.append(StoreGlobal(line, column, name, src))
         elif kind is PlaceKind.CELL:

@@ -61,7 +61,7 @@ def lower_code(
                 registers[variable] = body.register()
                 variables.append(variable)
     if statements and len(variables) > len(names):
-        body.unset = unset_reads(statements, names, variables)
+        body.watch(unset_reads(statements, names, variables))
     for number, parameter in enumerate(names):
         if parameter in scope.captured:
             body.ops.append(StoreCell(line, 1, scope.captured[parameter], number))

@@ -15,6 +15,7 @@ from typing import Any, Final
 
 from rosward.frontends.python.body import Body, misplaced
 from rosward.frontends.python.narrowing import branch, compare, conjunction
+from rosward.frontends.python.scopes import PlaceKind
 from rosward.ir.ops import (
     NO_REGISTER,
     Argument,
@@ -210,13 +211,11 @@ def _interpolation(body: Body, node: Any) -> int:
 
 def _walrus(body: Body, node: ast.NamedExpr) -> int:
     value = body.expression(node.value)
-    register = body.local(node.target)
-    if register == NO_REGISTER:
-        body.effects += 1
-        body.store(node.target, node.target.id, value)
-        return value
-    body.settle(node.target, register, value)
-    return body.load(node.target, node.target.id)
+    body.store(node.target, node.target.id, value)
+    if body.place(node.target.id).kind is PlaceKind.REGISTER:
+        return body.load(node.target, node.target.id)
+    body.effects += 1
+    return value
 
 
 def _bool(body: Body, node: ast.BoolOp) -> int:

@@ -121,10 +121,12 @@ def _is_irrefutable(node: ast.pattern) -> bool:
 
 def _narrowable(body: Body, node: ast.Match) -> int:
     """The register of the variable that is matched, where no pattern assigns to it."""
-    register = body.local(node.subject)
-    if register == NO_REGISTER or not isinstance(node.subject, ast.Name):
+    if not isinstance(node.subject, ast.Name):
         return NO_REGISTER
     name = node.subject.id
+    kind, register = body.place(name)
+    if kind is not PlaceKind.REGISTER:
+        return NO_REGISTER
     for case in node.cases:
         for part in ast.walk(case.pattern):
             if isinstance(part, (ast.MatchAs, ast.MatchStar)) and part.name == name:

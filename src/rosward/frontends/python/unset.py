@@ -6,7 +6,8 @@ return rate                 perhaps: not every way to here assigns it
 for topic in topics: ...
 print(topic)                perhaps: there may have been no turn
 
-An assignment on every way to a read counts, whatever the conditions on that way say.
+An assignment on every way to a read counts, whatever the conditions on that way say: a loop may have no turn. Whether it has one is known where the
+program is interpreted: a mark goes with each variable that is found here (`Body.watch`).
 """
 
 from __future__ import annotations

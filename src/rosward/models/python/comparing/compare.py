@@ -25,6 +25,7 @@ from rosward.effects.shell import ORIGIN
 from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
 from rosward.models.native import Machine
 from rosward.models.python.comparing.equal_objects import has_equality, member_value, row_of
+from rosward.models.python.comparing.kinds import names_kind
 from rosward.models.python.plain import (
     LOOSE_HINTS,
     NOT_PLAIN,
@@ -199,7 +200,7 @@ def equal(machine: Machine, left: Value, right: Value, depth: int = MAX_DEPTH) -
         right, (External, Partial, BoundMethod, Range)
     ):
         return True if left == right and not isinstance(left, (Partial, Range)) else _never(machine, left, right)
-    return left == right
+    return None if names_kind(left, right) else left == right
 
 
 def _methods(machine: Machine, left: BoundMethod, right: BoundMethod) -> bool | None:

@@ -297,14 +297,19 @@ def _method(call: NativeCall) -> Value:
 
 
 def _function(call: NativeCall) -> Value:
-    """types.FunctionType(code, globals, …): the function that the code was asked of, with other defaults and other captured variables."""
-    code, names, _, defaults, closure = call.args
+    """types.FunctionType(code, globals, …): the function that the code was asked of, with other defaults and other captured variables,
+    and with a cell that nobody reads: by that it is another object, with attributes of its own."""
+    code, names, name, defaults, closure = call.args
     of = _shown_by(call, code)
     cells = [_shown_by(call, c) for c in closure.items] if isinstance(closure, Tuple) else []
     known = defaults == NONE or isinstance(defaults, Tuple)
     if isinstance(of, Function) and known and all(isinstance(c, int) for c in cells) and _sees(call, names, of):
         given = defaults.items if isinstance(defaults, Tuple) else ()
-        return Function(of.code, of.module, tuple(c for c in cells if isinstance(c, int)), given, (), of.effects)
+        own = call.machine.allocate(Obj("cell", NONE), "types.FunctionType").address
+        made = Function(of.code, of.module, (*(c for c in cells if isinstance(c, int)), own), given, (), of.effects)
+        if name != NONE:
+            call.machine.store_attr(made, "__name__", name)
+        return made
     call.machine.report("RW203", "a function is made of code that is not known")
     return unknown_from(call, "types.FunctionType", call.args)
 
