@@ -26,7 +26,7 @@ from rosward.analysis.unpacked import MAIN, REGISTERED, components_of
 from rosward.effects.entry import Entry
 from rosward.findings import Finding, Findings
 from rosward.frontends.cpp.headers import Headers
-from rosward.frontends.cpp.model_headers import PREFIX, model_headers, modelled
+from rosward.frontends.cpp.model_headers import PREFIX, model_headers
 from rosward.frontends.cpp.preprocess import Preprocessor
 from rosward.frontends.cpp.program import Linked, SymbolStore
 from rosward.guard import guarded
@@ -294,7 +294,7 @@ class Compiled:
 
     def _plan(self) -> list[Planned]:
         builds = self._builds
-        ros = RosHeaders(self._headers, modelled())
+        ros = RosHeaders(self._headers)
         taken = {os.fspath(file.path) for file in self._workspace.cpp_sources}
         packages = {id(f.package): f.package for f in self._workspace.cpp_sources if f.package is not None}
         found: list[Planned] = []

@@ -12,11 +12,12 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.frontends.cpp.model_headers import modelled, of_ros
+
 if TYPE_CHECKING:
     from rosward.frontends.cpp.headers import Headers
 
 _INCLUDE: Final = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^">\n]+)[">]', re.MULTILINE)
-_ROS: Final = re.compile(r"rcl\w*/.*|[\w.]+/(?:msg|srv|action)/.*")
 _FILES: Final = 5_000
 
 
@@ -24,9 +25,9 @@ _FILES: Final = 5_000
 class RosHeaders:
     """Looks through files, each once."""
 
-    def __init__(self, headers: Headers, modelled: frozenset[str]) -> None:
+    def __init__(self, headers: Headers) -> None:
         self._headers = headers
-        self._modelled = modelled  # the libraries that are known to do something with ROS
+        self._modelled = modelled()
         self._included: dict[str, tuple[tuple[str, bool], ...]] = {}
         self._known: dict[tuple[str, tuple[str, ...]], bool] = {}
 
@@ -45,7 +46,7 @@ class RosHeaders:
             for name, quoted in self._includes(here):
                 found = self._headers.included(name, here, includes, quoted)
                 if found is None:
-                    if name.partition("/")[0] in self._modelled or _ROS.fullmatch(name):
+                    if of_ros(name, self._modelled):
                         return True
                 elif found not in seen:
                     seen.add(found)

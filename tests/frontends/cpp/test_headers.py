@@ -72,11 +72,15 @@ def test_where_an_include_leads(
         ("/etc/passwd", None),
         ("core/part.hpp\0", None),
         ("a/" * 300 + "part.hpp", None),
+        ("rclcpp/rclcpp.hpp", None),
+        ("tf2_ros/buffer.h", None),
+        ("std_msgs/msg/string.hpp", None),
     ],
 )
 def test_a_header_above(headers: Headers, tmp_path: Path, name: str, expected: str | None) -> None:
     root = tmp_path / "ws"
-    for path in ("src/core/part.hpp", "include/lamp/folder.hpp"):
+    elsewhere = ("src/rclcpp/rclcpp.hpp", "include/tf2_ros/buffer.h", "std_msgs/msg/string.hpp")
+    for path in ("src/core/part.hpp", "include/lamp/folder.hpp", *elsewhere):
         (root / path).parent.mkdir(parents=True, exist_ok=True)
         (root / path).touch()
     found = headers.above(name, str(root / "src" / "deep" / "main.cpp"))

@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from sampling import sample
 
 from frontends.cpp.units import lines, prepared, preprocessor, translate
+from rosward.frontends.cpp.captures import with_plain_captures
 from rosward.frontends.cpp.clean import cleaned
+from rosward.frontends.cpp.literals import hidden, shown
 from rosward.frontends.cpp.macros import EITHER
 from rosward.frontends.cpp.tokens import tokens
 
@@ -321,3 +325,18 @@ def test_a_macro_of_several_definitions_is_one_cause() -> None:
     other = one.replace("BUTTON", "OTHER")
     causes = [[f.causes for f in prepared(text).findings if f.code == "RW206"] for text in (one, other)]
     assert causes == [[("macro BUTTON",)] * 2, [("macro OTHER",)] * 2]
+
+
+def test_literals_that_nobody_closes_end_with_their_line() -> None:
+    escaped = '"' + '\\"' * 3
+    assert cleaned(f"f({escaped}\n\"a\"); 'b\\'\n") == f"f({escaped}\"\n\"a\"); 'b\\''\n"
+    assert cleaned('"a\\\\"; "b\\') == '"a\\\\"; "b"'
+
+
+@pytest.mark.parametrize("piece", ['\\"', "[a{", "= [a{b},", "[& & "])
+def test_what_stands_open_everywhere_is_read_in_little_time(piece: str) -> None:
+    text = cleaned('"' * piece.startswith("\\") + piece * 100_000)
+    before = time.process_time()
+    changed, contents = hidden(text)
+    assert len(shown(with_plain_captures(changed), contents)) == len(text)
+    assert time.process_time() - before < 5

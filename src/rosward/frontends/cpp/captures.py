@@ -25,6 +25,7 @@ _OTHER: Final = re.compile(r"[^][(){},;]*")
 _CLOSING: Final = {"(": ")", "{": "}", "[": "]"}
 _MOST: Final = 2_000
 """So long is what a lambda captures, at most."""
+_UNCLOSED: Final = 100
 _SAME: Final = re.compile(r"(?<=[\[,])(\s*&\s*)(\w+)(\s*=\s*\2\s*)(?=[,\]])")
 """A reference to a variable of the same name: in braces the grammar takes `[&key = key]` for a designator."""
 _ATTRIBUTED: Final = re.compile(r"(?<=\])(\s*\[\[[^\[\]]{0,200}\]\])(?=\s*[({])")
@@ -33,24 +34,34 @@ _ATTRIBUTED: Final = re.compile(r"(?<=\])(\s*\[\[[^\[\]]{0,200}\]\])(?=\s*[({])"
 
 def with_plain_captures(text: str) -> str:
     """The text with captures that the grammar reads; what is in literals must not look like one."""
-    pieces: list[str] = []
-    position = 0
+    plain: dict[int, str] = {}
+    unclosed = 0
     for found in _INTRODUCED.finditer(text):
-        if found.end() <= position:
-            continue
         changes, end = _captures(text, found.end())
-        if not changes or not _FOLLOWS.match(text, end):
-            continue
-        for opened, closed in changes:
-            pieces += (text[position:opened], "=", text[opened + 1 : closed], " ")
-            position = closed + 1
-    text = "".join([*pieces, text[position:]]) if pieces else text
+        unclosed += end < 0
+        if unclosed > _UNCLOSED:
+            break
+        if changes and _FOLLOWS.match(text, end):
+            for opened, closed in changes:
+                plain[opened], plain[closed] = "=", " "
+    text = _with_characters(text, plain) if plain else text
     text = _ATTRIBUTED.sub(lambda each: blank(each[0]), text)
     return _SAME.sub(lambda each: f"{each[1]}{each[2]}{blank(each[3])}", text)
 
 
+def _with_characters(text: str, others: dict[int, str]) -> str:
+    """The text with other characters at some positions."""
+    pieces: list[str] = []
+    position = 0
+    for at in sorted(others):
+        pieces += (text[position:at], others[at])
+        position = at + 1
+    return "".join([*pieces, text[position:]])
+
+
 def _captures(text: str, start: int) -> tuple[list[tuple[int, int]], int]:
-    """The brackets around what variables are made of, in a list of captures that begins at `start`, and where that ends."""
+    """The brackets around what variables are made of, in a list of captures that begins at `start`, and where that ends;
+    -1 where it does not."""
     changes: list[tuple[int, int]] = []
     at, most = start, min(len(text), start + _MOST)
     while at < most:
@@ -58,14 +69,14 @@ def _captures(text: str, start: int) -> tuple[list[tuple[int, int]], int]:
         if made is not None:
             closed = _closing(text, made.end(), most)
             if closed < 0:
-                break
+                return [], -1
             changes.append((made.end(), closed))
             at = closed + 1
         at = _end_of_capture(text, at, most)
-        if at >= most or text[at] != ",":
-            break
+        if at < most and text[at] != ",":
+            return (changes if text[at] == "]" else []), at
         at += 1
-    return (changes, at) if at < most and text[at] == "]" else ([], at)
+    return [], -1
 
 
 def _closing(text: str, opened: int, most: int) -> int:

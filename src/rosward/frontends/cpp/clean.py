@@ -13,12 +13,14 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from rosward.frontends.cpp.tokens import SEPARATED
+
 _SPECIAL: Final = re.compile(
-    r"""
-      (?P<raw>\b(?:u8|u|U|L)?R"([^()\\\s"]{0,16})\()
+    rf"""
+      (?P<raw>\b(?:u8|u|U|L)?R"([^()\\\s"]{{0,16}})\()
     | (?P<line>//(?:[^\\\n]|\\[ \t]*\n|\\)*)
     | (?P<comment>/\*)
-    | (?P<separator>(?<=[\dA-F])(?<![uU]8)'(?=[\da-fA-F]))
+    | (?P<separated>{SEPARATED})
     | (?P<string>"(?:[^"\\\n]|\\[ \t]*\n|\\.)*(?:"|\\?(?=\n|\Z)))
     | (?P<character>'(?:[^'\\\n]|\\[ \t]*\n|\\.)*(?:'|\\?(?=\n|\Z)))
     | (?P<splice>\\[ \t]*\n)
@@ -75,12 +77,18 @@ def cleaned(text: str) -> str:
             spliced += 1
         else:
             whole = _SPLICE.sub("", found[0]) if "\n" in found[0] else found[0]
-            if kind in _QUOTES and (len(whole) < 2 or not whole.endswith(_QUOTES[kind])):
+            if kind in _QUOTES and not _is_closed(whole, _QUOTES[kind]):
                 whole = whole.rstrip("\\") + _QUOTES[kind]  # closed here, so that nobody else has to look for its end
             put(whole)
             spliced += found[0].count("\n")
     put(text[position:])
     return "".join(pieces) + "\n" * spliced
+
+
+def _is_closed(literal: str, quote: str) -> bool:
+    """Whether a literal ends with its quote, and not with an escaped one."""
+    content = literal[1:].removesuffix(quote)
+    return len(content) < len(literal) - 1 and (len(content) - len(content.rstrip("\\"))) % 2 == 0
 
 
 def _one_line(raw: str) -> str:

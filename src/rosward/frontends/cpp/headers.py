@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Final, final
 
 from rosward.findings import Finding
+from rosward.frontends.cpp.model_headers import modelled, of_ros
 from rosward.records import NamedTuple
 from rosward.source import disk, limits
 from rosward.source.boundary import EVERYWHERE, Boundary
@@ -42,12 +43,13 @@ class HeadersAsked(NamedTuple):
 class Headers:
     """The files of a workspace, as an `#include` finds and reads them; `folders` are those that may be read."""
 
-    __slots__ = ("_boundary", "_files", "_folders", "_generated", "_root", "_texts", "_written")
+    __slots__ = ("_boundary", "_files", "_folders", "_generated", "_modelled", "_root", "_texts", "_written")
 
     def __init__(self, root: Path, folders: Sequence[str], boundary: Boundary = EVERYWHERE) -> None:
         self._root = root
         self._folders = tuple(folder.rstrip(os.sep) + os.sep for folder in folders)
         self._boundary = boundary
+        self._modelled = modelled()
         self._files: dict[str, bool] = {}
         self._texts: dict[str, str] = {}
         self._generated: dict[str, dict[str, str]] = {}
@@ -94,8 +96,9 @@ class Headers:
 
     def above(self, name: str, including: str) -> str | None:
         """A header that no folder of headers has, and that stands where its name says, seen from a folder above the file:
-        a build may copy it to where it is looked for, or get its folders in a way that nobody knows."""
-        folder = including.rpartition(os.sep)[0] if "/" in name[1:] and ".." not in name else ""
+        a build may copy it to where it is looked for, or get its folders in a way that nobody knows. One of ROS is from elsewhere."""
+        is_below = "/" in name[1:] and ".." not in name and not of_ros(name, self._modelled)
+        folder = including.rpartition(os.sep)[0] if is_below else ""
         while (folder + os.sep).startswith(self._folders):
             for path in (f"{folder}{os.sep}{name}", f"{folder}{os.sep}include{os.sep}{name}"):
                 if "\0" not in name and len(name) <= _NAME_LIMIT and self._is_file(path):

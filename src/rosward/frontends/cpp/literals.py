@@ -12,26 +12,27 @@ import re
 from collections.abc import Sequence
 from typing import Final
 
-_LITERAL: Final = re.compile(
-    r"""(?P<separator>(?<=[\dA-F])(?<![uU]8)'(?=[\da-fA-F]))|"(?P<content>(?:[^"\\\n]|\\.)+)"|'(?:[^'\\\n]|\\.)*'"""
-)
+from rosward.frontends.cpp.tokens import LITERAL
+
+_LITERAL: Final = re.compile(LITERAL)
 _FIRST: Final = 0xF0000
 _LAST: Final = 0x10FFFD
 """Characters that nobody uses in C++ outside of literals."""
 _FILLED: Final = "\ue000"
-_HIDDEN: Final = re.compile(rf'(?<=")[{chr(_FIRST)}-{chr(_LAST)}]{_FILLED}*(?=")')
+_HIDDEN: Final = re.compile(rf"(?<=[\"'])[{chr(_FIRST)}-{chr(_LAST)}]{_FILLED}*(?=[\"'])")
 
 
 def hidden(text: str) -> tuple[str, Sequence[str]]:
     """The text with one character for what is in each literal, as wide as before, and what it stands for."""
-    if '"' not in text:
-        return text, ()
     contents: dict[str, int] = {}
 
     def hide(found: re.Match[str]) -> str:
-        content = found["content"]
-        number = _LAST if content is None else _FIRST + contents.setdefault(content, len(contents))
-        return found[0] if number >= _LAST else f'"{chr(number)}{_FILLED * (len(content) - 1)}"'
+        literal = found[0]
+        content, quote = literal[1:-1], literal[0]
+        if not content or quote not in "\"'":
+            return literal
+        number = _FIRST + contents.setdefault(content, len(contents))
+        return literal if number > _LAST else f"{quote}{chr(number)}{_FILLED * (len(content) - 1)}{quote}"
 
     changed = _LITERAL.sub(hide, text)
     return changed, tuple(contents)

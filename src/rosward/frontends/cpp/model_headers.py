@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Final
@@ -30,6 +31,7 @@ _HEADERS: Final = Path(__file__).parent.parent.parent / "models" / "cpp" / "head
 YIELDING: Final = frozenset({"controller_interface", "hardware_interface", "nav2", "nav2_util"})
 """Libraries whose own sources count where they are there: they are written with the others."""
 _NOT_OF_ROS: Final = frozenset({"std"})
+_OF_ROS: Final = re.compile(r"rcl\w*/.*|[\w.]+/(?:msg|srv|action)/.*")
 
 _OWN: Final[dict[tuple[tuple[str, tuple[int, int, int]], ...], tuple[FileSymbols, ...]]] = {}
 """The models under each set of versions: they and what is found in them never change, so that one run has them from the run before."""
@@ -38,6 +40,11 @@ _OWN: Final[dict[tuple[tuple[str, tuple[int, int, int]], ...], tuple[FileSymbols
 def modelled() -> frozenset[str]:
     """The libraries of ROS that there are models of."""
     return frozenset(folder.name for folder in _folders()) - _NOT_OF_ROS
+
+
+def of_ros(name: str, libraries: frozenset[str]) -> bool:
+    """Whether a header is one of ROS where the folders of headers do not have it: of one of the libraries, or of an interface."""
+    return name.partition("/")[0] in libraries or _OF_ROS.fullmatch(name) is not None
 
 
 def model_headers(versions: Versions, parser: CppParser) -> Sequence[FileSymbols]:

@@ -46,8 +46,11 @@ class Preprocessor:
         macros = dict(self._store.predefined)
         for name, value, sure in definitions:
             macro = definition(f"{name} {value}")
-            if macro is not None:
-                macros[macro.name] = macro if sure else Macro(macro.name, (), None, "", (macro, None))
+            if macro is None:
+                continue
+            before = macros.get(macro.name)
+            others = before.alternatives if before is not None and before.alternatives else (before,)
+            macros[macro.name] = macro if sure else Macro(macro.name, (), None, "", (macro, *others))
         unit = Unit(self._store, tuple(includes), macros)
         unit.visit(path, 0)
         return Translation(path, tuple(unit.order.values()), tuple(dict.fromkeys(unit.findings)))

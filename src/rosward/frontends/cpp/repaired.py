@@ -72,7 +72,7 @@ def _with_bodies(text: str) -> str:
     pieces: list[str] = []
     position = 0
     for found in _BODY.finditer(text):
-        if found[0][0] in "\"'":
+        if not found[0][0].isalpha():
             continue
         start = behind_bracket(text, found.end(), _MOST) if found["open"] else found.end()
         declared = _DECLARED.match(text, start) if start >= position else None

@@ -21,8 +21,10 @@ _TOKEN: Final = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-LITERAL: Final = r""""(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'"""
-"""The pattern of a literal in cleaned text."""
+SEPARATED: Final = r"[0-9](?<!\w[0-9])\w*(?:'\w+)+"
+"""The pattern of a number with separators (`0xff'ff`), which begin no literal."""
+LITERAL: Final = rf""""(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|{SEPARATED}"""
+"""The pattern of a literal in cleaned text, be it of what has no quotes but for separators."""
 
 _BRACKET: Final = re.compile(rf"{LITERAL}|[()]")
 """A round bracket; literals match, too, so that none is found within them."""

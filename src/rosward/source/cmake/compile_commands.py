@@ -19,6 +19,7 @@ from typing import Final
 from rosward.records import NamedTuple
 from rosward.source import disk, limits
 from rosward.source.boundary import EVERYWHERE, Boundary
+from rosward.source.cmake.standards import macros, of_options
 from rosward.source.cmake.targets import Definition
 from rosward.source.text import read_bytes
 
@@ -92,4 +93,5 @@ def _compiled(words: list[str], folder: str) -> Compiled:
                 definitions[name] = Definition(name, text if equals else "1")
         elif option:
             includes[os.path.normpath(os.path.join(folder, value))] = None  # noqa: PTH118
-    return Compiled(tuple(includes), tuple(definitions.values()))
+    of_version = [Definition(*each) for each in macros(list(of_options(words)))]
+    return Compiled(tuple(includes), (*of_version, *definitions.values()))

@@ -113,8 +113,9 @@ class TargetCommands:
             within = tuple(self._interpreter.undecided)
             target = Making(name, made, self._interpreter.place(command), self.sure, self.folder(), within)
             variables = self._interpreter.variables
-            target.own.definitions |= of_standard(variables.get("CMAKE_CXX_STANDARD"))
-            target.own.definitions |= of_options([variables.get("CMAKE_CXX_FLAGS")])
+            target.own.standards += of_standard(variables.get("CMAKE_CXX_STANDARD"))
+            target.own.standards += of_options([variables.get("CMAKE_CXX_FLAGS")])
+            target.own.standards += self.folder().standards
             self.made[name] = target
         else:
             target.made_again(sure=self.sure)
@@ -259,12 +260,13 @@ class TargetCommands:
         for into, argument in self._by_visibility(arguments):
             for using in into:
                 using.definitions |= self._definitions((a for a in [argument] if a.startswith("-D")), within)
-                using.definitions |= of_options([argument], sure=self.sure)
+                using.standards += of_options([argument], sure=self._is_sure(within))
 
     def _target_features(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        sure = self._is_sure(self._within(arguments[0]))
         for into, argument in self._by_visibility(arguments):
             for using in into:
-                using.definitions |= of_features([argument], sure=self.sure)
+                using.standards += of_features([argument], sure=sure)
 
     def _properties(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         """`set_target_properties(a b PROPERTIES COMPILE_DEFINITIONS X=1 …)`."""
@@ -278,7 +280,10 @@ class TargetCommands:
             if target is not None:
                 target.output = pairs.get("OUTPUT_NAME", target.output)
                 target.own.definitions |= self._definitions((t for t in texts if t), target.within)
-                target.own.definitions |= of_standard(pairs.get("CXX_STANDARD", ""), sure=self.sure)
+                sure = self._is_sure(target.within)
+                options = (pairs.get("COMPILE_FLAGS", ""), pairs.get("COMPILE_OPTIONS", ""))
+                target.own.standards += of_standard(pairs.get("CXX_STANDARD", ""), sure=sure)
+                target.own.standards += of_options(options, sure=sure)
 
     def _property(self, arguments: list[str], command: Command) -> None:
         """`set_property(TARGET a b APPEND PROPERTY COMPILE_DEFINITIONS X=1 Y)`."""
@@ -297,7 +302,7 @@ class TargetCommands:
 
     def _folder_options(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         self.folder().definitions.update(self._definitions(a for a in arguments if a.startswith("-D")))
-        self.folder().definitions.update(of_options(arguments, sure=self.sure))
+        self.folder().standards += of_options(arguments, sure=self.sure)
 
     def _folder_links(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         self.folder().links.update(self._links(arguments))

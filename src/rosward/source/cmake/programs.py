@@ -21,6 +21,7 @@ from rosward.source import disk, limits
 from rosward.source.boundary import Boundary
 from rosward.source.cmake.build import read_build
 from rosward.source.cmake.compile_commands import CompileCommands, read_compile_commands
+from rosward.source.cmake.standards import macros
 from rosward.source.cmake.targets import Build, Built, Definition, Made
 from rosward.source.cmake.text import parse_cmake
 from rosward.source.text import read_bytes
@@ -244,6 +245,7 @@ class Builds:
         if found is None:
             includes = dict.fromkeys(target.own.includes)
             definitions = dict.fromkeys(target.own.definitions)
+            standards = list(target.own.standards)
             packages = [build.package]
             sure = {id(other) for _, other in self._reached(build, target, {}, handed=True, loose=False)}
             for owner, other in self._reached(build, target, {}, handed=True):
@@ -251,6 +253,7 @@ class Builds:
                     includes |= dict.fromkeys(other.handed.includes)
                     own = other.handed.definitions
                     definitions |= dict.fromkeys(own if id(other) in sure else (d._replace(sure=False) for d in own))
+                    standards += (s._replace(sure=s.sure and id(other) in sure) for s in other.handed.standards)
                 packages.append(owner.package)
             links = (link.partition("::")[0] for link in target.own.links if "::" in link)
             reached = dict.fromkeys([*packages, *links, *build.depends])
@@ -264,6 +267,7 @@ class Builds:
                     folder = os.path.join(other_build.folder, "include")  # noqa: PTH118
                     if disk.is_folder(folder):
                         includes[folder] = None
+            definitions |= dict.fromkeys(Definition(*each) for each in macros(standards))
             found = self._closures[key] = tuple(includes), tuple(definitions)
         return found
 

@@ -18,6 +18,7 @@ from rosward.findings import Finding
 from rosward.location import Place
 from rosward.records import NamedTuple
 from rosward.source.cmake.blocks import Way
+from rosward.source.cmake.standards import Standard
 from rosward.source.cmake.variables import HOLE
 
 
@@ -45,13 +46,14 @@ class Definition(NamedTuple):
 class Usage(NamedTuple):
     """How something is compiled and linked: folders of headers, macros, and the names of libraries or `package::*`.
 
-    `loose` are those libraries of which nobody knows whether it is linked with them.
+    `loose` are those libraries of which nobody knows whether it is linked with them, `standards` the versions of C++ that are asked for.
     """
 
     includes: tuple[str, ...] = ()
     definitions: tuple[Definition, ...] = ()
     links: tuple[str, ...] = ()
     loose: tuple[str, ...] = ()
+    standards: tuple[Standard, ...] = ()
 
 
 class Built(NamedTuple):
@@ -121,6 +123,7 @@ class Using:
     definitions: dict[Definition, None] = field(default_factory=dict)
     links: dict[str, None] = field(default_factory=dict)
     loose: dict[str, None] = field(default_factory=dict)
+    standards: list[Standard] = field(default_factory=list)
 
     def link(self, names: Iterable[str], *, sure: bool) -> None:
         """It is linked with these; without `sure`, nobody knows whether."""
@@ -133,15 +136,18 @@ class Using:
 
     def copy(self) -> Using:
         """The same, to be added to."""
-        return Using(dict(self.includes), dict(self.definitions), dict(self.links), dict(self.loose))
+        return Using(
+            dict(self.includes), dict(self.definitions), dict(self.links), dict(self.loose), list(self.standards)
+        )
 
     def with_(self, other: Using) -> Usage:
-        """Its own things, then those of another."""
+        """Its own things, then those of another; versions of C++ are those that another had when this was made."""
         return Usage(
             tuple({**self.includes, **other.includes}),
             tuple({**self.definitions, **other.definitions}),
             tuple({**self.links, **other.links}),
             tuple({**self.loose, **other.loose}),
+            tuple(self.standards),
         )
 
 
@@ -175,6 +181,7 @@ class Making:
             for using in (self.own, self.handed):
                 using.definitions = {d._replace(sure=False): None for d in using.definitions}
                 using.loose = dict(using.links)
+                using.standards = [s._replace(sure=False) for s in using.standards]
 
     def made_up(self) -> Built:
         """The target as it is now."""
