@@ -37,7 +37,38 @@ struct adapt_type
   struct rclcpp::ImplicitTypeAdapter<CUSTOM> : rclcpp::TypeAdapter<CUSTOM, ROS> \
   { \
   };
+}  // namespace rclcpp
 
+namespace rosward_double
+{
+// What a program has of a type of messages, and what is on the wire.
+template<typename M, typename = void>
+struct Adapted
+{
+  using heard = M;
+  using wire = M;
+};
+template<typename C, typename R>
+struct Adapted<rclcpp::TypeAdapter<C, R>, void>
+{
+  using heard = C;
+  using wire = R;
+};
+template<typename M>
+struct Adapted<M, std::enable_if_t<rclcpp::ImplicitTypeAdapter<M>::is_specialized::value>>
+{
+  using heard = M;
+  using wire = typename rclcpp::ImplicitTypeAdapter<M>::ros_message_type;
+};
+template<typename M>
+const char * wire_name()
+{
+  return rosidl_generator_traits::name<typename Adapted<M>::wire>();
+}
+}  // namespace rosward_double
+
+namespace rclcpp
+{
 class SerializedMessage
 {
 public:
@@ -124,8 +155,8 @@ public:
   using ConstSharedPtr = std::shared_ptr<const Publisher>;
   using UniquePtr = std::unique_ptr<Publisher>;
   using WeakPtr = std::weak_ptr<Publisher>;
-  using PublishedType = MessageT;
-  using ROSMessageType = MessageT;
+  using PublishedType = typename rosward_double::Adapted<MessageT>::heard;
+  using ROSMessageType = typename rosward_double::Adapted<MessageT>::wire;
   using PublisherBase::PublisherBase;
   template<typename T>
   void publish(const T & message)
@@ -150,31 +181,3 @@ public:
   void publish(const SerializedMessage &) {}
 };
 }  // namespace rclcpp
-
-namespace rosward_double
-{
-// What a program has of a type of messages, and what is on the wire.
-template<typename M, typename = void>
-struct Adapted
-{
-  using heard = M;
-  using wire = M;
-};
-template<typename C, typename R>
-struct Adapted<rclcpp::TypeAdapter<C, R>, void>
-{
-  using heard = C;
-  using wire = R;
-};
-template<typename M>
-struct Adapted<M, std::enable_if_t<rclcpp::ImplicitTypeAdapter<M>::is_specialized::value>>
-{
-  using heard = M;
-  using wire = typename rclcpp::ImplicitTypeAdapter<M>::ros_message_type;
-};
-template<typename M>
-const char * wire_name()
-{
-  return rosidl_generator_traits::name<typename Adapted<M>::wire>();
-}
-}  // namespace rosward_double

@@ -77,6 +77,8 @@ public:
   using ConstSharedPtr = std::shared_ptr<const Subscription>;
   using UniquePtr = std::unique_ptr<Subscription>;
   using WeakPtr = std::weak_ptr<Subscription>;
+  using SubscribedType = typename rosward_double::Adapted<MessageT>::heard;
+  using ROSMessageType = typename rosward_double::Adapted<MessageT>::wire;
   using SubscriptionBase::SubscriptionBase;
   bool take(MessageT &, MessageInfo &) { return true; }
 };
