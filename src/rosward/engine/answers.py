@@ -15,7 +15,7 @@ from rosward.domain.values import NONE, UNBOUND, Function, ModuleValue, Ref, Unk
 from rosward.engine import throwing
 from rosward.engine.callbacks import schedule
 from rosward.engine.running import nodes_asked
-from rosward.engine.running.frame import own_frame
+from rosward.engine.running.frame import is_running, own_frame
 from rosward.engine.unknown import escape
 from rosward.findings import Finding
 from rosward.location import Place
@@ -128,7 +128,7 @@ class Answers:
             return []
         keys = [("cell", context, code.key, n) for n in range(len(code.cells))]
         outlive = self.languages[code.language].cells_outlive
-        if outlive or any(f.code is code and f.context == context for f in self.frames):
+        if outlive or is_running(self.frames, code, context):
             return [self.place_at(key, Obj("cell", NONE)) for key in keys]
         cells = [self.place_key(key) for key in keys]
         for address in cells:

@@ -24,6 +24,7 @@ from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.values import Ref
 from rosward.engine.cpp import initialising
+from rosward.engine.running.frame import is_running
 from rosward.models.cpp.values.copies import is_copied
 
 if TYPE_CHECKING:
@@ -43,19 +44,19 @@ def made(machine: Engine, op: cpp.Construct, type_: Value, args: tuple[Value, ..
     frame = machine.frames[-1]
     variable = (frame.context, frame.code.key, op.number)
     before: Sequence[int] = frame.declared.get(op.number, ())
-    gone = machine.unheld
-    if not before and not any(f.code is frame.code and f.context == frame.context for f in machine.frames[:-1]):
-        before, gone = machine.declarations.get(variable, ()), machine.ended
+    is_first = not before and not is_running(machine.frames[:-1], frame.code, frame.context)
+    if is_first:
+        before = machine.declarations.get(variable, ())
     ended = {address for address in before if _may_be_replaced(machine, address)}
-    ended -= gone
-    gone |= ended
+    ended -= machine.ended if is_first else machine.unheld
+    (machine.ended if is_first else machine.unheld).update(ended)
     placed: list[int] = []
     frame.placed = placed
     try:
         value = initialising.made(machine, type_, args, op.form, fresh=fresh)
     finally:
         frame.placed = None
-        gone -= ended
+        (machine.ended if is_first else machine.unheld).difference_update(ended)
         frame.declared[op.number] = placed
     machine.declarations[variable] = (value.address,) if isinstance(value, Ref) and value.address in placed else ()
     return value

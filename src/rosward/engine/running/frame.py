@@ -167,6 +167,11 @@ class Frame:
         return Place(self.code.file, self.op.line, self.op.column)
 
 
+def is_running(frames: Sequence[Frame], code: Code, context: int) -> bool:
+    """Whether a call of a body is among these, in this context."""
+    return any(frame.code is code and frame.context == context for frame in frames)
+
+
 def own_frame(frames: Sequence[Frame]) -> Frame | None:
     """The innermost call of the user's code; None where no code of the program is running."""
     for frame in reversed(frames):
