@@ -11,7 +11,7 @@ from typing import Any, Final, Literal, TypedDict, final
 
 from rosward.domain.series import Series
 from rosward.domain.table import NO_MARKS, Table, unmarked, written
-from rosward.domain.values import Value
+from rosward.domain.values import UNBOUND, Value
 from rosward.records import NamedTuple
 
 NO_ATTRS: Final[dict[str, Value]] = {}
@@ -147,6 +147,10 @@ class Obj:
         if self.joined is None:
             self.joined = self.series().element()
         return self.joined
+
+    def surely_has(self, name: str) -> bool:
+        """Whether an attribute is there, on each way that leads here."""
+        return self.attrs.get(name, UNBOUND) is not UNBOUND and name not in self.partial
 
     def with_attr(self, name: str, value: Value) -> Obj:
         """A copy in which one attribute differs."""

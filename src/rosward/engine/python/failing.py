@@ -146,8 +146,7 @@ def _load_global(machine: Engine, op: ops.LoadGlobal, frame: Frame) -> bool:
 
 
 def _load_cell(machine: Engine, op: ops.LoadCell, frame: Frame) -> bool:
-    record = machine.at(frame.cells[op.cell])
-    return record.attrs.get("value", UNBOUND) is UNBOUND or "value" in record.partial
+    return not machine.at(frame.cells[op.cell]).surely_has("value")
 
 
 def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool:
@@ -160,13 +159,11 @@ def _has(machine: Engine, value: Value, name: str) -> bool:
         obj = machine.part(value, name)
         if obj.kind != "instance":
             return True
-        own = obj.attrs.get(name, UNBOUND)
-        if own is not UNBOUND and not obj.many and name not in obj.partial:
+        if not obj.many and obj.surely_has(name):
             return True
         return members.surely_has(machine, obj.cls, name) or member_of(machine, obj, name) is not None
     if value.__class__ is ModuleValue:
-        record = machine.at(value.address)
-        return record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial
+        return machine.at(value.address).surely_has(name)
     if value.__class__ is Class:
         return members.surely_has(machine, value, name) or name.startswith("__")
     if value.__class__ is Choice:
@@ -175,8 +172,7 @@ def _has(machine: Engine, value: Value, name: str) -> bool:
         return hasattr(value.value, name)
     if value.__class__ is Function:
         kept = machine.function_record(value)
-        given = kept is not None and kept.attrs.get(name, UNBOUND) is not UNBOUND and name not in kept.partial
-        return given or hasattr(_has, name)
+        return (kept is not None and kept.surely_has(name)) or hasattr(_has, name)
     return value.__class__ in (Text, Tuple, Native, BoundMethod) or value.__class__.__name__ == "Super"
 
 

@@ -55,8 +55,7 @@ def surely_has(machine: Engine, cls: Value, name: str) -> bool:
         return lookup(machine, cls, name) is not None
     for base in cls.mro:
         if base.__class__ is Class:
-            record = machine.at(base.address)
-            if record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial:
+            if machine.at(base.address).surely_has(name):
                 return True
         elif base.__class__ is Native and of_native_class(machine, base.name, name) is not None:
             return True

@@ -51,7 +51,7 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
         return _in_class(machine, meta, name) if there is False and isinstance(meta, Class) else there
     if isinstance(value, ModuleValue):
         record = machine.obj(Ref(value.address))
-        return True if record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial else None
+        return True if record.surely_has(name) else None
     if isinstance(value, (Function, BoundMethod, Native)):
         return _of_callable(machine, value, name)
     if isinstance(value, Descriptor):
@@ -167,7 +167,7 @@ def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
         if isinstance(base, Class):
             record = machine.obj(Ref(base.address))
             attrs = record.attrs
-            if attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial:
+            if record.surely_has(name):
                 return True
             slots = slots or "__slots__" in attrs
             unknown = unknown or name in record.partial
