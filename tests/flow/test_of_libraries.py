@@ -407,3 +407,45 @@ def test_what_is_read_from_a_pin_or_a_port_comes_from_the_device(tmp_path: Path)
     assert waiting is not None
     assert pressed.control == ahead.data == waiting.data == {"device"}
     assert constant is None or not constant.data
+
+
+def test_what_one_of_several_libraries_makes_is_what_either_makes(tmp_path: Path) -> None:
+    file = tmp_path / "robot.py"
+    file.write_text(
+        HEAD
+        + textwrap.dedent("""
+        import random
+
+        import acme
+        import serial
+        import paho.mqtt.client as mqtt
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.link = random.choice([acme.Link, serial.Serial])()
+                self.kinds = {}
+                self.create_subscription(String, '/written', self.written, 1)
+                self.create_subscription(String, '/told', self.told, 1)
+                self.create_subscription(String, '/added', self.added, 1)
+
+            def added(self, msg):
+                self.kinds[msg.data] = acme.open
+                self.kinds[msg.data + '?'] = mqtt.Client
+
+            def written(self, msg):
+                self.link.write(msg.data.encode())
+
+            def told(self, msg):
+                self.kinds[msg.data]().publish('x', msg.data)
+
+        rclpy.init()
+        rclpy.spin(Robot())
+        """)
+    )
+    rows = reported(file)
+    device, network = said_of(rows, "device"), said_of(rows, "network")
+    assert device is not None, rows
+    assert network is not None, rows
+    assert "topic:/written" in device.data
+    assert "topic:/told" in network.data

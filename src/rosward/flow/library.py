@@ -108,7 +108,7 @@ def expression(walker: Walker, body: Body, op: ops.Op, operands: Iterable[Mark])
     """What an operator makes of objects of a library: where nothing says that it only computes, it may hold them (`cvxpy.Variable() <= limit`)."""
     roots = {root for mark in operands for root in opaque(mark) if root[0] == "made"}
     held = {r: name for r in roots if (name := name_of(r)) and walker.shape.said(name) is NO_MARK}
-    root = walker.shape.made(body.activation, op.number, min(held.values(), default=""))
+    root = walker.shape.result(body.activation, op.number, held.values())
     walker.memory.renew(root)
     if held:
         walker.memory.write_any([root], Mark(0, frozenset(held)))
@@ -150,8 +150,7 @@ def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
 def of_base(walker: Walker, root: Root, name: str) -> Mark:
     """What an object has of a base class that nobody knows, where marks say something of it: `self.rfile` of a handler of requests."""
     found, roots = 0, set[Root]()
-    addresses = [each for each in walker.shape.numbers.alike(root) if isinstance(each, int)]
-    for base in {base for address in addresses for base in walker.shape.unknown_bases(address)}:
+    for base in walker.shape.unknown_bases(root):
         said = walker.shape.said(f"{base}.{name}")
         if said.is_known:
             roots.add(of_library(f"{base}.{name}"))
@@ -216,7 +215,7 @@ def unknown(
     given = 0
     for name in names:
         given |= perform(walker, name, mask, body.pc)
-    root = walker.shape.made(body.activation, op.number, names[0] if names else "")
+    root = walker.shape.result(body.activation, op.number, names)
     walker.memory.renew(root)
     arrays.change(walker.memory, arguments, names, marks, everything[-1], mask | given)
     known = [walker.shape.said(n) for n in names]

@@ -164,7 +164,8 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
             if shape.part(root, name) in seen.refs:
                 found = content.any  # which part of a message it is, the message does not say
             if (isinstance(root, int) or root[0] == MELTED) and _of_base(seen):
-                found = Mark(found.mask, found.roots | {("of", root, name)}).joined(library.of_base(walker, root, name))
+                part = ("of", root, name) if isinstance(root, int) else root  # many objects have one content
+                found = Mark(found.mask, found.roots | {part}).joined(library.of_base(walker, root, name))
         if seen.reasons and isinstance(root, int) and not seen.refs and not any(map(name_of, found.roots)):
             found = found.joined(_of_model(walker, op, body, root))
         mask |= found.mask

@@ -71,15 +71,16 @@ _MOST_PARTS: Final = 6
 
 
 class Many:
-    """What objects are that are one: where their classes keep their attributes, whether there are iterators and sets among them.
+    """What objects are that are one: where their classes keep their attributes, which bases nobody knows, whether there are iterators and sets.
 
     `count`: so many of them were looked at; there may be more later.
     """
 
-    __slots__ = ("classes", "count", "iterators", "sets")
+    __slots__ = ("bases", "classes", "count", "iterators", "sets")
 
     def __init__(self) -> None:
         self.classes: dict[int, None] = {}
+        self.bases: dict[str, None] = {}
         self.count, self.iterators, self.sets = 0, False, False
 
 
@@ -120,10 +121,21 @@ class Shape:
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
         self._many: dict[int, Many] = {}
+        self._several_names: dict[tuple[Activation, int], str] = {}
 
     def made(self, activation: Activation, number: int, name: str = "", kind: str = "made") -> Root:
         """The object that an operation makes and that has no address; `name`: of what in a library it is the result."""
         return (kind, activation, number, unrolled(name) if name.count(".") < _MOST_PARTS else "")
+
+    def result(self, activation: Activation, number: int, names: Collection[str]) -> Root:
+        """What a call of a library gives, by the name of what is called; where that may be several, by one that was met at first.
+
+        More are met while the walk goes on, and with another name it would be another object.
+        """
+        name = min(names, default="")
+        if len(names) > 1:
+            name = self._several_names.setdefault((activation, number), name)
+        return self.made(activation, number, name)
 
     @property
     def few(self) -> int:
@@ -159,6 +171,7 @@ class Shape:
         for each in several[found.count :]:
             if isinstance(each, int):
                 found.classes.update(dict.fromkeys(self.classes(each)))
+                found.bases.update(dict.fromkeys(self._unknown_bases(each)))
                 found.iterators |= self.is_iterator(each)
                 found.sets |= self.kind(each) == "set"
         found.count = len(several)
@@ -264,8 +277,13 @@ class Shape:
         cls = None if obj is None else obj.cls
         return f"{cls.module}.{cls.qualname}" if isinstance(cls, Class) and cls.stub else ""
 
-    def unknown_bases(self, address: int) -> list[str]:
-        """The dotted names of the base classes of an object that nobody knows."""
+    def unknown_bases(self, root: Root) -> Collection[str]:
+        """The dotted names of the base classes of an object, or of those that are one with it, that nobody knows."""
+        if self.numbers.of.get(root) in self.numbers.merged:
+            return self.many_as_one(root).bases
+        return self._unknown_bases(root) if isinstance(root, int) else ()
+
+    def _unknown_bases(self, address: int) -> list[str]:
         obj = self.record(address)
         cls = None if obj is None else obj.cls
         return [c.name for c in cls.mro if isinstance(c, External)] if isinstance(cls, Class) else []

@@ -363,24 +363,4 @@ class Standing(Store):
         roots = mark.roots
         if not roots:
             return ()
-        if not self.numbers.merged or not self.shape.merges_objects:
-            return self._through(roots).objects
-        canonical, of, merged, nodes = self.numbers.canonical, self._of, self.numbers.merged, self.shape.nodes
-        found: dict[object, Root] = {}
-        known = {id(roots)}
-        work = list(roots)
-        while work:
-            root = work.pop()
-            number = of.get(root)
-            here = ("all", number) if number in merged else root
-            if here in found:
-                continue
-            if len(found) > _MOST:
-                raise TooLongError
-            found[here] = self.numbers.one(root)  # which is of all classes
-            further = self.of(root).whole.roots
-            if id(further) not in known:
-                known.add(id(further))
-                work += canonical(further) - nodes
-            work += self._holds(root)
-        return found.values()
+        return self._through(roots).objects
