@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The functions on arrays, of numpy and OpenCV, that give a view of what they get, or write into it: by their names."""
+"""The functions on arrays, of numpy, that give a view of what they get, or write into it: by their names."""
 
 from __future__ import annotations
 
@@ -46,31 +46,9 @@ INTO: Final[dict[str, int]] = {
     for name in names.split()
 }
 """Functions that write into what they are given from this place on, counted from 0; as methods, from the one before."""
-PICTURES: Final[dict[str, tuple[int, ...]]] = {
-    f"cv2.{name}": places
-    for places, names in {
-        (0,): ("VideoCapture.read", "VideoCapture.retrieve"),
-        (1,): ("bitwise_not", "split", "merge", "Rodrigues", "convexHull", "boxPoints"),
-        (): ("connectedComponents", "connectedComponentsWithStats"),  # by place, they are told how to connect
-        (2,): (
-            *("cvtColor", "resize", "blur", "medianBlur", "bitwise_and", "bitwise_or", "bitwise_xor"),
-            *("erode", "dilate", "flip", "rotate"),
-        ),
-        (3,): ("inRange", "GaussianBlur", "Canny", "warpPerspective", "approxPolyDP"),
-        (3, 4): ("findContours",),
-        (4,): ("threshold", "HoughLines", "HoughLinesP", "HoughCircles"),
-        (5,): ("addWeighted",),
-    }.items()
-    for name in names
-}
-"""The same of functions on pictures, and cameras."""
-RESULTS: Final = frozenset(
-    ("out", "dst", "edges", "image", "labels", "stats", "centroids", "mv", "lines", "circles", "hull")
-)
-"""The names of the parameters into which they write."""
 
 
 def tells(name: str) -> bool:
     """Whether more is known of a function by its dotted name than that it may do anything."""
     method = name.rpartition(".")[2]
-    return name in PICTURES or method in CHANGE or (name.startswith("numpy.") and (method in VIEWS or method in INTO))
+    return method in CHANGE or (name.startswith("numpy.") and (method in VIEWS or method in INTO))

@@ -8,10 +8,10 @@ a.fill(v)                        `a` holds `v`
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Final
 
-from rosward.flow.array_names import CHANGE, INTO, PICTURES, RESULTS, VIEWS
+from rosward.flow.array_names import CHANGE, INTO, VIEWS
 from rosward.flow.marks import Mark, Root
 
 if TYPE_CHECKING:
@@ -26,29 +26,22 @@ def viewed(names: Iterable[str], given: Iterable[Mark]) -> frozenset[Root]:
     return frozenset[Root]().union(*(mark.roots for mark in given))
 
 
-def change(
-    memory: Memory,
-    arguments: Iterable[ops.Argument],
-    names: Iterable[str],
-    marks: list[Mark],
-    owner: Mark,
-    mask: int,
-) -> None:
-    """Functions of these names write what they get to what they get."""
+def changed(arguments: Iterable[ops.Argument], names: Iterable[str], marks: list[Mark], owner: Mark) -> Iterator[Mark]:
+    """What functions of these names write to, of what they get."""
     named = {a.name: m for a, m in zip(arguments, marks, strict=False) if a.kind == "keyword"}
-    changed = [named[n] for n in ("out", "dst", "output") if n in named]
+    yield from (named[n] for n in ("out", "dst", "output") if n in named)
     for name in names:
-        if name in PICTURES:
-            changed += [marks[place] for place in PICTURES[name] if place < len(marks)]
-            changed += [m for n, m in named.items() if n in RESULTS]
         method = name.rpartition(".")[2]
         if method in CHANGE and not name.startswith(_MODULES):
-            changed.append(owner)
+            yield owner
         elif name.startswith("numpy.") and method in INTO:
-            changed += marks[INTO[method] - (name.count(".") > 1) :]
-    for each in changed:
-        several = [root for root in each.roots if root.__class__ is tuple and root[0] == "tuple"]
-        memory.write_any(each.roots.union(memory.read_all(several).roots), Mark(mask), mask)
+            yield from marks[INTO[method] - (name.count(".") > 1) :]
+
+
+def write(memory: Memory, given: Mark, mask: int) -> None:
+    """Something is written into what a function is given for its results: an array, or a tuple of such."""
+    several = [root for root in given.roots if root.__class__ is tuple and root[0] == "tuple"]
+    memory.write_any(given.roots.union(memory.read_all(several).roots), Mark(mask), mask)
 
 
 _MODULES: Final = ("numpy.random.", "numpy.sort", "numpy.put", "numpy.partition", "numpy.resize")

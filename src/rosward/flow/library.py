@@ -8,7 +8,7 @@ cv2.rectangle(image, …)           nobody knows: the image, and the result, may
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, function_behind
@@ -19,10 +19,11 @@ from rosward.flow.marks import NOTHING, Mark, Root, decided, demoted, name_of, o
 from rosward.flow.outside import cleaned, comes_in, out
 from rosward.flow.reading import each_of, of_classes, opaque, owners_of, part_of
 from rosward.flow.site import WRITING
-from rosward.models.flow_marks import NO_MARK
+from rosward.models.flow_marks import NO_MARK, FlowMark
 
 if TYPE_CHECKING:
     from rosward.flow.body import Body
+    from rosward.flow.stored.memory import Memory
     from rosward.flow.walker import Walker
     from rosward.ir import ops
 
@@ -128,6 +129,25 @@ def _given_as(parameter: str, function: Function, marks: list[Mark]) -> Mark:
     return marks[number] if number < len(marks) else NOTHING
 
 
+def _keeps_nothing(said: FlowMark) -> bool:
+    """Whether it is said of a function what it writes to, and that is not its object."""
+    return (said.is_known or bool(said.changes)) and "self" not in said.changes
+
+
+def _changed(
+    memory: Memory, said: FlowMark, arguments: Sequence[ops.Argument], marks: Sequence[Mark]
+) -> Iterator[Mark]:
+    """What is given for the parameters to which a function writes, as marks say: by name, by place, or spread."""
+    names, is_spread = said.parameters[said.parameters[:1] == ("self",) :], False
+    for place, (argument, mark) in enumerate(zip(arguments, marks, strict=False)) if said.changes else ():
+        is_spread = is_spread or argument.kind == "star"
+        name = argument.name or (names[place] if place < len(names) else "")
+        if argument.is_spread:
+            yield Mark(0, memory.read_all(mark.roots).roots)
+        elif name in said.changes or (is_spread and not argument.name):
+            yield mark
+
+
 def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
     """A function that only computes, taken as a whole: what it gives may be a view of what it is given; some write to their object."""
     mask = body.pc
@@ -217,13 +237,17 @@ def unknown(
         given |= perform(walker, name, mask, body.pc)
     root = walker.shape.result(body.activation, op.number, names)
     walker.memory.renew(root)
-    arrays.change(walker.memory, arguments, names, marks, everything[-1], mask | given)
     known = [walker.shape.said(n) for n in names]
+    written = [*arrays.changed(arguments, names, marks, everything[-1])]
+    for said in known:
+        written += _changed(walker.memory, said, arguments, marks)
+    for each in written:
+        arrays.write(walker.memory, each, mask | given)
     if known and all(said.releases for said in known):
         cleaned(walker, names[0], mask)
         return Mark(body.pc | given, frozenset((root,)))
     changing = any(isinstance(root[1], int) and root[2] in WRITING for root in opaque(function) if root[0] == "of")
-    if known and not changing and all(said.is_known and not said.changes for said in known):
+    if known and not changing and all(map(_keeps_nothing, known)):
         return Mark(mask | given, arrays.viewed(names, everything) | {root})
     reached: set[Root] = set()
     for mark in everything:

@@ -27,6 +27,7 @@ _KINDS: Final = {"sink": SINKS, "source": SOURCES}
 class FlowMark(NamedTuple):
     """All marks of one function. `stops` and `changes` are its parameters; `self` is what it is called on, `*` any of them.
 
+    `parameters`: those that are given by their places, where `changes` names some.
     `hands`: the classes of the arguments with which it calls what it is given, by their dotted names.
     `attribute`: it is a property: to read it is to call it.
     """
@@ -40,6 +41,7 @@ class FlowMark(NamedTuple):
     changes: tuple[str, ...] = ()
     hands: tuple[str, ...] = ()
     attribute: bool = False
+    parameters: tuple[str, ...] = ()
 
     @property
     def is_known(self) -> bool:

@@ -100,9 +100,11 @@ class _Reader:
             self._of_module(node.value)
 
     def _function(self, node: ast.FunctionDef | ast.AsyncFunctionDef) -> Scope:
-        names = tuple(a.arg for a in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs))
-        mark = self._mark(node.decorator_list, names)
-        found = Scope(mark if mark is None else mark._replace(attribute=_is_property(node)))
+        placed = tuple(a.arg for a in (*node.args.posonlyargs, *node.args.args))
+        mark = self._mark(node.decorator_list, (*placed, *(a.arg for a in node.args.kwonlyargs)))
+        if mark is not None:
+            mark = mark._replace(attribute=_is_property(node), parameters=placed if mark.changes else ())
+        found = Scope(mark)
         found.gives = _class_name(node.returns)
         found.writes = _writes_to_self(node)
         return found
