@@ -13,6 +13,7 @@ from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.running.seen import Called, Handed, refs_of
 from rosward.flow.body import Body
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.reading import opaque
 from rosward.flow.stored.content import Content
 from rosward.flow.ways import joined_marks
 from rosward.ir import ops
@@ -136,5 +137,7 @@ def handed(walker: Walker, op: ops.Op, body: Body, given: Handed, spread: Spread
         return found.under(demoted(chosen) if _only_chosen(walker, given.refs) else chosen)
     for register in reads(op):
         mark = body.registers[register]
-        found = found.joined(Mark(walker.memory.deep(mark), frozenset(r for r in mark.roots if not isinstance(r, int))))
+        found = found.joined(Mark(walker.memory.deep(mark), opaque(mark)))
+    for register in (a.register for a in op.arguments if a.is_spread) if isinstance(op, ops.Call) else ():
+        found = found.joined(Mark(0, opaque(walker.memory.read_all(body.registers[register].roots))))
     return found

@@ -91,8 +91,7 @@ def _store_cell(walker: Walker, op: ops.StoreCell, body: Body, seen: Seen) -> No
 
 def _load_global(walker: Walker, op: ops.LoadGlobal, body: Body, seen: Seen) -> None:
     found = walker.memory.read((body.activation.module,), op.name)
-    named = external(walker, seen)
-    body.registers[op.dst] = Mark(found.mask | body.pc, leads(seen, found) | named)
+    body.registers[op.dst] = Mark(found.mask | body.pc, leads(seen, found) | external(walker, seen))
 
 
 def _store_global(walker: Walker, op: ops.StoreGlobal, body: Body, _seen: Seen) -> None:
