@@ -13,7 +13,7 @@ Types are values: a template parameter is a variable that holds one.
 
 from __future__ import annotations
 
-from rosward.ir.cpp_calls import Argued, Default, Elements, Invoke, InvokeMember, MakeLambda, Spread
+from rosward.ir.cpp_calls import Argued, Default, Elements, Invoke, InvokeMember, MakeLambda, Placed, Spread
 from rosward.ir.cpp_names import (
     AddressOf,
     CellSlot,
@@ -73,6 +73,7 @@ __all__ = [
     "Name",
     "Narrow",
     "Part",
+    "Placed",
     "Read",
     "Spread",
     "StaticLocal",

@@ -24,6 +24,7 @@ void (*table[])() = {f, g};              void (*table[])()   {f, g};
 Lamp & on(lamps[0].on);                  Lamp & on=lamps[0].on ;
 int (&row)[3] = rows[0];                 int  &row      = rows[0];
 using Ts::operator()...;                 using Ts::operator()   ;
+void set(T *... values)                  void set(T  ... values)
 o.operator()(1), p->A::operator=(a)      o.operato$LR(1), p->A::operato$E(a)
 return operator[](1);                    return operato$BK(1);
 using std::sin, std::cos;                using std::sin;using  std::cos;
@@ -136,6 +137,9 @@ _OWN_OPERATOR: Final = re.compile(
 """One that is called alone, as the object around has it: a declaration has a type before it."""
 _USING_PACK: Final = re.compile(r"(\busing\s+\w+\s*::\s*operator\s*\(\s*\)\s*)(\.\.\.)")
 
+_POINTERS_PACK: Final = re.compile(r"(?<=[(,])(\s*(?:const\s+)?\w+(?:\s+const)?\s*)\*(?=\s*\.\.\.\s*\w+\s*[,)])")
+"""Parameters that are pointers."""
+
 _BITS: Final = re.compile(
     r"(?<=[;{}:])(\s*(?:(?!(?:case|class|default|enum|goto|return|struct|union|using)\b)[A-Za-z_](?:\w|::)*\s+){1,4}[A-Za-z_]\w*\s*)(:\s*\w+)"
     r"(?=\s*(?:=[^=;{}]{1,100}|\{[^;{}]{0,100}\})\s*;)"
@@ -170,7 +174,7 @@ def suited(text: str) -> str:
     if "new" in text:
         text = _NEW_POINTERS.sub(lambda found: found[1] + " " * len(found[2]), text)
     if "..." in text:
-        text = _USING_PACK.sub(r"\1   ", text)
+        text = _POINTERS_PACK.sub(r"\1 ", _USING_PACK.sub(r"\1   ", text))
     if "template" in text:
         text = _UNNAMED.sub("*_", text)
     if "decltype" in text or "sizeof" in text:

@@ -35,7 +35,7 @@ from rosward.frontends.cpp.lower.vexing import arguments_in, combined, meant, re
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.arithmetic import WRAPPING
 from rosward.ir.core import NO_REGISTER, Binary
-from rosward.ir.cpp import Convert, Copy, Destructure, StaticLocal
+from rosward.ir.cpp import Convert, Copy, Destructure, Placed, StaticLocal
 from rosward.ir.cpp_names import NUMBERED
 
 if TYPE_CHECKING:
@@ -178,7 +178,10 @@ def _one(
         body.emit(StaticLocal(*body.place(node), dst, block, result))
         body.write(node, found, dst)
     elif reference and not isinstance(what, Given):
-        body.write(node, found, _referred(body, node, type_node, shape, what))
+        referred = _referred(body, node, type_node, shape, what)
+        if shape.children[:1] and shape.children[0].type == "&&" and body.shared.survey.changes(name):
+            body.emit(Placed(*body.place(node), referred, referred, "found"))
+        body.write(node, found, referred)
     else:
         body.write(node, found, initial(body, node, type_node, shape, what, equals=equals, local=True))
         holds = not number and not has(shape, POINTERS | FUNCTIONS) and not builtin(type_node)
