@@ -12,18 +12,23 @@ from rosward.records import NamedTuple
 if TYPE_CHECKING:
     from rosward.ir.program import Code
 
-__all__ = ["Argued", "Default", "Elements", "Invoke", "InvokeMember", "MakeLambda", "Placed", "Spread"]
+__all__ = ["Argued", "Default", "Elements", "Invoke", "InvokeMember", "Kind", "MakeLambda", "Placed", "Spread"]
+
+
+Kind = Literal["value", "slot", "result", "constant", "moved", "pack"]
 
 
 class Argued(NamedTuple):
     """One argument of a call: of kind 'value' (an rvalue that nobody else has), 'slot' (an lvalue), 'result' (of a call or cast: one or the
     other), 'constant' (a variable that is so), 'moved' (an lvalue that may be moved from), or 'pack' (a parameter pack, spread here).
-    `number`: the arithmetic type that it has as it is written, other than `int` and `double`; '' where that does not show.
+    `number`: the arithmetic type that it has as it is written, other than `int` and `double`; '' where that does not show. `alterable`: it is
+    a variable that is surely not constant.
     """
 
     register: int
-    kind: Literal["value", "slot", "result", "constant", "moved", "pack"] = "value"
+    kind: Kind = "value"
     number: str = ""
+    alterable: bool = False
 
 
 @final

@@ -158,6 +158,7 @@ def _one(
         constant=constant,
         cell=characters and not static,
     )
+    found.alterable = not (constant or static or (reference and (is_auto or has_const(node))))
     found.buffer = characters
     found.leads_to_constant = has_const(node) and has(shape, POINTERS)
     is_first = found.written is None and found.over is None  # not so in another branch of an `#if`

@@ -147,6 +147,7 @@ def _parameter(
     variable = Variable(symbol.name, register, NO_REGISTER, reference=reference, pack=symbol.pack)
     variable.builtin = "" if has(declarator, POINTERS | ARRAYS) else builtin(type_node)
     variable.constant = symbol.type.const and not symbol.type.pointers
+    variable.alterable = not (variable.constant or symbol.pack or (reference and _free(symbol, types)))
     variable.written = None if type_node is None or not symbol.type.names else (type_node, declarator)
     variable.leads_to_constant = symbol.type.const and bool(symbol.type.pointers)
     changes = (
