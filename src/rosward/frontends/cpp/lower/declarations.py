@@ -106,7 +106,8 @@ def variable(
         parts = (
             [over(body, value, f"{NUMBERED}{i}") for i in range(len(name.named_children))] if value is not None else []
         )
-        bind(body, node, shape, name, body.slot(value) if has(shape, REFERENCES) else body.own(value))
+        whole = None if value is None else _single(value)
+        bind(body, node, shape, name, body.slot(whole) if has(shape, REFERENCES) else body.own(whole))
         for child, each in zip(name.named_children, parts, strict=False):
             bound = body.variable(word(child))
             if bound is not None:
