@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Iterator
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.analysis.linked_functions import CREATORS, NODES
@@ -30,6 +30,7 @@ _LOADABLE: Final = re.compile(
 """What makes the classes of a library known to programs that load it."""
 
 
+_MACRO: Final = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)((?:[^\n\\]|\\[^\n]|\\\n)*)", re.MULTILINE)
 _INCLUDE: Final = re.compile(r"^[ \t]*#[ \t]*include[ \t]*([<\"])([^>\"\n]+)", re.MULTILINE)
 
 
@@ -67,7 +68,9 @@ def unlinked_libraries(
             texts = [text for text in map(headers.read, own) if isinstance(text, str)]
             if any(map(said.search, texts)) or any(map(said_by.includes, (u for u in library.units if u.path in own))):
                 name = f"{package.name}/{library.name} as a library"
-                loadable = any(map(_LOADABLE.search, texts)) or not described.isdisjoint(own)
+                loadable = not described.isdisjoint(own) or any(
+                    said_by.makes_loadable(unit) for unit in library.units if unit.path in own
+                )
                 found.append(Unlinked(name, place_name(own[0], workspace.root), library.units, loadable))
                 taken.update(own)
     return found
@@ -87,29 +90,47 @@ class _Headers:
     def includes(self, unit: Unit) -> bool:
         """Whether a source includes one that says it."""
         silent = self._silent.setdefault(unit.includes, set())
+        seen = []
+        for path in self._reached(unit, lambda found: found in silent or self._headers.named(found) in self._known):
+            if path != unit.path and self._content(path)[0]:
+                return True
+            seen.append(path)
+        silent.update(seen)
+        return False
+
+    def makes_loadable(self, unit: Unit) -> bool:
+        """Whether a source makes classes known to who loads it, itself or by a macro that it includes."""
+        own = self._text(unit.path)
+        if _LOADABLE.search(own):
+            return True
+        macros = [each for path in self._reached(unit, lambda _: False) for each in _MACRO.findall(self._text(path))]
+        names = {name for name, content in macros if _LOADABLE.search(content)}
+        for _ in macros if names else ():  # macros of macros
+            more = {name for name, content in macros if not names.isdisjoint(re.findall(r"\w+", content))}
+            if more <= names:
+                break
+            names |= more
+        return not names.isdisjoint(re.findall(r"\w+", own))
+
+    def _reached(self, unit: Unit, is_known: Callable[[str], bool]) -> Iterator[str]:
+        """A source, and the headers that lead from it."""
         waiting, seen = [unit.path], {unit.path}
         while waiting:
             path = waiting.pop()
-            says, includes = self._content(path)
-            if says and path != unit.path:
-                return True
-            for quote, name in includes:
+            yield path
+            for quote, name in self._content(path)[1]:
                 found = self._headers.included(name, path, unit.includes, quoted=quote == '"')
-                if (
-                    found is not None
-                    and found not in seen
-                    and found not in silent
-                    and self._headers.named(found) not in self._known
-                ):
+                if found is not None and found not in seen and not is_known(found):
                     seen.add(found)
                     waiting.append(found)
-        silent.update(seen)
-        return False
+
+    def _text(self, path: str) -> str:
+        text = self._headers.read(path)
+        return text if isinstance(text, str) else ""
 
     def _content(self, path: str) -> tuple[bool, list[tuple[str, str]]]:
         found = self._read.get(path)
         if found is None:
-            text = self._headers.read(path)
-            text = text if isinstance(text, str) else ""
+            text = self._text(path)
             found = self._read[path] = self._said.search(text) is not None, _INCLUDE.findall(text)
         return found

@@ -13,7 +13,7 @@ Types are values: a template parameter is a variable that holds one.
 
 from __future__ import annotations
 
-from rosward.ir.cpp_calls import Argued, Default, Elements, Invoke, InvokeMember, MakeLambda, Spread
+from rosward.ir.cpp_calls import Argued, Default, Elements, Invoke, InvokeMember, Kind, MakeLambda, Placed, Spread
 from rosward.ir.cpp_names import (
     AddressOf,
     CellSlot,
@@ -65,6 +65,7 @@ __all__ = [
     "Invoke",
     "InvokeMember",
     "Item",
+    "Kind",
     "LocalSymbol",
     "MakeLambda",
     "MakeType",
@@ -73,6 +74,7 @@ __all__ = [
     "Name",
     "Narrow",
     "Part",
+    "Placed",
     "Read",
     "Spread",
     "StaticLocal",

@@ -12,18 +12,23 @@ from rosward.records import NamedTuple
 if TYPE_CHECKING:
     from rosward.ir.program import Code
 
-__all__ = ["Argued", "Default", "Elements", "Invoke", "InvokeMember", "MakeLambda", "Spread"]
+__all__ = ["Argued", "Default", "Elements", "Invoke", "InvokeMember", "Kind", "MakeLambda", "Placed", "Spread"]
+
+
+Kind = Literal["value", "slot", "result", "constant", "moved", "pack"]
 
 
 class Argued(NamedTuple):
     """One argument of a call: of kind 'value' (an rvalue that nobody else has), 'slot' (an lvalue), 'result' (of a call or cast: one or the
     other), 'constant' (a variable that is so), 'moved' (an lvalue that may be moved from), or 'pack' (a parameter pack, spread here).
-    `number`: the arithmetic type that it has as it is written, other than `int` and `double`; '' where that does not show.
+    `number`: the arithmetic type that it has as it is written, other than `int` and `double`; '' where that does not show. `alterable`: it is
+    a variable that is surely not constant.
     """
 
     register: int
-    kind: Literal["value", "slot", "result", "constant", "moved", "pack"] = "value"
+    kind: Kind = "value"
     number: str = ""
+    alterable: bool = False
 
 
 @final
@@ -128,10 +133,11 @@ class MakeLambda(Op):
 class Spread(Op):
     """dst = the items of a pack after `body` ran for each, in register `item`, with its result in register `result`: `(f(args), …)`.
 
-    With an operator, the results are folded from the left, after `init` where there is one. Several packs run side by side.
+    With an operator, the results are folded: from the left, after `init` where there is one, or from the `right`, before it. Several packs run
+    side by side.
     """
 
-    __slots__ = ("body", "dst", "init", "items", "operator", "packs", "result")
+    __slots__ = ("body", "dst", "init", "items", "operator", "packs", "result", "right")
 
     def __init__(
         self,
@@ -145,6 +151,7 @@ class Spread(Op):
         *,
         operator: str = "",
         init: int = NO_REGISTER,
+        right: bool = False,
     ) -> None:
         super().__init__(line, column)
         self.dst = dst
@@ -154,11 +161,33 @@ class Spread(Op):
         self.result = result
         self.operator = operator
         self.init = init
+        self.right = right
 
     @property
     def blocks(self) -> tuple[Block, ...]:
         """The blocks that it holds, in the order in which they stand."""
         return (self.body,)
+
+
+Placing = Literal["found", "copied", "kept", "taken"]
+
+
+@final
+class Placed(Op):
+    """dst = where what is in `src` stands; of a `pack`, each of its items.
+
+    'found': a value that stands nowhere gets a place; 'copied': a copy gets one, wherever the value stands; 'kept': one that lasts longer than
+    the call; 'taken': copies, without a place.
+    """
+
+    __slots__ = ("dst", "how", "pack", "src")
+
+    def __init__(self, line: int, column: int, dst: int, src: int, how: Placing, *, pack: bool = False) -> None:
+        super().__init__(line, column)
+        self.dst = dst
+        self.src = src
+        self.how = how
+        self.pack = pack
 
 
 @final

@@ -28,6 +28,7 @@ READS: Final[Mapping[type, tuple[str, ...]]] = {
     cpp.InvokeMember: ("obj", "scope"),
     cpp.TypeOfValue: ("src",),
     cpp.Spread: ("init",),
+    cpp.Placed: ("src",),
 }
 """The fields with one register each."""
 

@@ -114,8 +114,8 @@ def _initialise(p: Printer, op: cpp.Initialise) -> None:
 
 
 def _spread(p: Printer, op: cpp.Spread) -> None:
-    init = "" if op.init == NO_REGISTER else f" after {p.r(op.init)}"
-    operator = f" fold {op.operator}" if op.operator else ""
+    init = "" if op.init == NO_REGISTER else f" {'before' if op.right else 'after'} {p.r(op.init)}"
+    operator = f" fold {op.operator}{' from the right' * op.right}" if op.operator else ""
     head = f"{p.r(op.dst)} = spread {p.many(op.items)} of {p.many(op.packs)} gives {p.r(op.result)}"
     p.nested(op, f"{head}{operator}{init}:", op.body)
 
@@ -158,6 +158,7 @@ PRINT: Final[Mapping[type, Callable[[Any, Any], str | None]]] = {
     cpp.TypeOfValue: lambda p, op: f"{p.r(op.dst)} = type of {p.r(op.src)}" + (op.member and f".{op.member}"),
     cpp.Braces: _braces,
     cpp.Spread: _spread,
+    cpp.Placed: lambda p, op: f"{p.r(op.dst)} = place {op.how} {'pack ' * op.pack}{p.r(op.src)}",
     cpp.Default: _default,
     cpp.StaticLocal: _static,
     cpp.EndScope: lambda p, op: f"end {p.many(op.variables)}",

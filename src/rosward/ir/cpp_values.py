@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Literal, final
 
 from rosward.ir.core import NO_REGISTER
-from rosward.ir.cpp_calls import Argued
+from rosward.ir.cpp_calls import Argued, Kind
 from rosward.ir.op import Block, Op
 from rosward.records import NamedTuple
 
@@ -35,10 +35,11 @@ Form = Literal["default", "paren", "brace", "copy", "brace-copy"]
 class Assign(Op):
     """slot operator src, for `=`, `+=`, …; dst = the slot (NO_REGISTER: not asked for). An object stays where it is and changes.
 
-    `seen` leaves in register `static` the type that the reference, or the pointer, to the object is declared with.
+    `kind`: what src is as an argument (`Argued`). `seen` leaves in register `static` the type that the reference, or the pointer, to the object
+    is declared with.
     """
 
-    __slots__ = ("dst", "operator", "seen", "slot", "src", "static")
+    __slots__ = ("dst", "kind", "operator", "seen", "slot", "src", "static")
 
     def __init__(
         self,
@@ -49,11 +50,13 @@ class Assign(Op):
         slot: int,
         src: int,
         *,
+        kind: Kind = "value",
         seen: Block | None = None,
         static: int = NO_REGISTER,
     ) -> None:
         super().__init__(line, column)
         self.dst = dst
+        self.kind = kind
         self.operator = operator
         self.slot = slot
         self.src = src

@@ -67,7 +67,7 @@ def summarised(machine: Engine, function: Function, registers: list[Value]) -> V
         summaries.asked += 1  # there is another summary behind it than before
     elif outermost:  # all that was asked for within is answered: what runs around may be remembered
         summaries.provisional, summaries.open = open_ones
-    if summary.catcher is not None:
+    if machine.precision.coarse:
         summaries.finished[key] = summary
     return _of_summary(machine, summary, called)
 
@@ -79,6 +79,8 @@ def _inside(machine: Engine, summary: Summary, registers: list[Value], merge: Me
     machine.summaries.open += 1
     machine.asked_for |= summary.asked_for
     machine.summaries.wrote |= summary.wrote
+    if summary.catcher is not None:
+        rethrow(machine, summary.catcher)  # what is raised deeper inside reaches the `try` around this call
     if summary.after is None:
         return UNBOUND
     machine.state = summary.after.copy()
@@ -164,9 +166,8 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
     outer, outermost = machine.catchers, not summaries.running
     summaries.running[key] = summary
     summary.edition += 1
-    if machine.precision.coarse:
-        summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
-        machine.catchers = [*outer, summary.catcher]
+    summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1], merge=merge)
+    machine.catchers = [*outer, summary.catcher]
     context = machine.context("summary", function.code.key)
     ended = _ended(machine)
     asked_for, machine.asked_for = machine.asked_for, summary.asked_for

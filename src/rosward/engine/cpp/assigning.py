@@ -107,8 +107,15 @@ def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
         value = as_string(machine, value)
     before = read(machine, slot) if value.__class__ is Pointer or value == NONE else NONE
     write(machine, slot, _as_declared(machine, slot, value))
-    is_left = before.__class__ is Pointer and before != value
+    is_left = any(_is_left(machine, option, value) for option in options(before))
     return UNBOUND if is_left and not endings.end(machine, before) else slot
+
+
+def _is_left(machine: Engine, before: Value, value: Value) -> bool:
+    """Whether a place that has got another value had led to an object: to another one, or to another one of several."""
+    if not isinstance(before, Pointer):
+        return False
+    return before != value or (isinstance(before.target, Ref) and machine.obj(before.target).many)
 
 
 def _without_class(machine: Engine, slot: Value, src: Value) -> Value:

@@ -14,7 +14,7 @@ from rosward.domain.values import Function, Ref, Value
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.running.frame import Frame
 from rosward.ir.core import Binary, Compare
-from rosward.ir.cpp import Argued, Assign
+from rosward.ir.cpp import Argued, Assign, InvokeMember
 from rosward.ir.program import TypePattern
 from rosward.ir.symbols import Signature
 from rosward.models.cpp.values.slots import read
@@ -23,14 +23,17 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 __all__ = [
+    "Category",
     "by_category",
     "cast_to",
     "class_cast_to",
     "for_object",
+    "forwards",
     "numbers_written",
     "of_constness",
     "same_parameters",
     "undominated",
+    "ways",
 ]
 
 _T = TypeVar("_T")
@@ -121,13 +124,51 @@ def _categories(machine: Engine, args: tuple[Value, ...]) -> list[Category] | No
 
 def _written(frame: Frame, args: tuple[Value, ...]) -> tuple[Argued, ...] | None:
     """The arguments as the operation has them that runs; None where these are not the arguments."""
-    written = getattr(frame.op, "arguments", None)
+    op = frame.op
+    if isinstance(op, Assign):
+        written: Sequence[object] = (Argued(op.slot, "slot"), Argued(op.src, op.kind))[-len(args) :]
+    else:
+        written = frame.initialising or getattr(op, "arguments", None) or ()
     if not written or len(written) != len(args):
         return None
+    found: list[Argued] = []
     for argued, value in zip(written, args, strict=True):
         if not isinstance(argued, Argued) or argued.kind == "pack" or frame.registers[argued.register] is not value:
             return None
-    return tuple(written)
+        found.append(argued)
+    return tuple(found)
+
+
+def ways(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]) -> list[tuple[Category, ...]]:
+    """What the arguments may be, where one of the functions takes whatever is given as what it is (`T &&`): a variable that may be constant,
+    or not, is either; so is what a library makes an object of (`names.push_back(name)`). Nothing where that does not count, or is not known.
+    """
+    if not machine.frames or not any(forwards(f, n) for f in functions for n in range(len(args))):
+        return []
+    frame = machine.frames[-1]
+    written = _written(frame, args)
+    if written is None:
+        return []
+    found = tuple(_category(frame, argued, value) for argued, value in zip(written, args, strict=True))
+    making = linked(machine).constructing[-1:]
+    is_inside = isinstance(frame.op, InvokeMember) and any(
+        f.code.name == cls.name for _, cls in making for f in functions
+    )
+    unsure = [c == "lvalue" and (is_inside or not a.alterable) for a, c in zip(written, found, strict=True)]
+    if not any(unsure):
+        return [found]
+    return [found, tuple("constant" if open_ else each for each, open_ in zip(found, unsure, strict=True))]
+
+
+def forwards(function: Function, number: int) -> bool:
+    """Whether a function takes an argument as what it is, whatever that is: by `T &&`, where no condition is set."""
+    signature = function.code.signature
+    if signature is None or not signature.template or number >= len(signature.parameters):
+        return False
+    free = frozenset(p.name for p in signature.template)
+    if not _is_free(signature.parameters[number].type, free):
+        return False
+    return not any(p.type is not None or (p.default is not None and not p.name) for p in signature.template)
 
 
 def _category(frame: Frame, argued: Argued, value: Value) -> Category:

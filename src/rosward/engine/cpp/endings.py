@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.slots import Pointer
-from rosward.domain.values import UNBOUND, Class, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Ref, Value
+from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.cpp import calls, names
 from rosward.engine.cpp.linked import linked
 from rosward.engine.cpp.values import overloads
@@ -49,26 +50,23 @@ def _destroy(machine: Engine, ref: Ref, depth: int) -> bool:
         for symbol in reversed(info.fields) if depth < _NESTED else ():
             key = program.key_in(machine, ref, info, symbol.name)
             held = machine.obj(ref).attrs.get(key) if key is not None and symbol.name not in info.references else None
-            if held is not None and not _end_one(machine, held, depth + 1):
+            if held is not None and not end(machine, held, depth + 1):
                 return False
     return True
 
 
 def end(machine: Engine, value: Value, depth: int = 0) -> bool:
-    """What a variable held ends; False where a destructor never does."""
-    several = options(value)
-    if len(several) == 1:
-        return _end_one(machine, value, depth)
-    return all(_destroy(machine, option, depth) for option in several if isinstance(option, Ref))
+    """What a variable held ends, whichever it is; False where a destructor never does."""
+    several = dict.fromkeys(_owned(option) for option in options(value))
+    ending = each_apart(machine, list(several), lambda o: NONE if o is None or _destroy(machine, o, depth) else UNBOUND)
+    return ending is not UNBOUND
 
 
-def _end_one(machine: Engine, value: Value, depth: int) -> bool:
-    """What a pointer owns that may have been given away is taken to live on: it is somewhere else then, and the pointer may be null."""
+def _owned(value: Value) -> Ref | None:
+    """The object that ends with a value; None where the value owns none, or may have given it away."""
     if isinstance(value, Pointer) and value.owner == "unique":
         value = value.target
-        if not isinstance(value, Ref) or machine.obj(value).many:
-            return True
-    return not isinstance(value, Ref) or _destroy(machine, value, depth)
+    return value if isinstance(value, Ref) else None
 
 
 _ENDING: Final = frozenset(
@@ -82,8 +80,8 @@ def end_with(machine: Engine, native: str, value: Value) -> bool:
     if native not in _ENDING:
         return True
     if not isinstance(value, Ref):
-        return _end_one(machine, value, 0)
-    return machine.obj(value).many or _end_parts(machine, value, 0)
+        return end(machine, value, 0)
+    return _end_parts(machine, value, 0)
 
 
 def _end_parts(machine: Engine, ref: Ref, depth: int) -> bool:
@@ -93,4 +91,4 @@ def _end_parts(machine: Engine, ref: Ref, depth: int) -> bool:
         return True
     held = (*(obj.items or ()), *(value for key, value in obj.entries.items() if key not in obj.maybe))
     backwards = name_of(obj.cls) in ("array", "std.array")
-    return all(_end_one(machine, item, depth + 1) for item in (reversed(held) if backwards else held))
+    return all(end(machine, item, depth + 1) for item in (reversed(held) if backwards else held))

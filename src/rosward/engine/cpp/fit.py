@@ -25,6 +25,7 @@ __all__ = [
     "CONVERTED",
     "DEDUCED",
     "EXACT",
+    "FORWARDED",
     "NEAR",
     "NEVER",
     "TEMPLATE",
@@ -36,6 +37,7 @@ __all__ = [
 
 SCALE: Final = 100
 EXACT: Final = 5 * SCALE
+FORWARDED: Final = EXACT - 1
 DEDUCED: Final = 4 * SCALE + SCALE // 2
 NEAR: Final = 4 * SCALE
 TEMPLATE: Final = 3 * SCALE

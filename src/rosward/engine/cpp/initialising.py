@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
@@ -96,7 +97,8 @@ def _initialise(machine: Engine, op: cpp.Initialise, frame: Frame, given: Given,
         if type_ == info.cls:  # another constructor of the class does it all
             if not machine.run(member.body, frame):
                 return False
-            return construct.construct_in_place(machine, this, info, given(frame, member.arguments))
+            with _initialising(frame, member):
+                return construct.construct_in_place(machine, this, info, given(frame, member.arguments))
         for_bases += [(t, member) for t in (type_.items if isinstance(type_, Tuple) else (type_,))]
     return _bases(machine, this, info, for_bases, frame, given) and _fields(
         machine, this, info, for_fields, frame, given
@@ -109,16 +111,26 @@ def _bases(
     assert info.cls is not None
     for base in linked(machine).bases_to_make(this, info):
         init = next((m for t, m in inits if t == base), None)
-        args: tuple[Value, ...] = ()
-        form: cpp.Form = "default"
-        if init is not None:
-            form = init.form
-            if not machine.run(init.body, frame):
-                return False
-            args = given(frame, init.arguments)
-        if not construct.make_base(machine, this, base, args, form):
+        if init is None:
+            made = construct.make_base(machine, this, base, (), "default")
+        elif not machine.run(init.body, frame):
+            return False
+        else:
+            with _initialising(frame, init):
+                made = construct.make_base(machine, this, base, given(frame, init.arguments), init.form)
+        if not made:
             return False
     return True
+
+
+@contextmanager
+def _initialising(frame: Frame, init: cpp.MemberInit) -> Iterator[None]:
+    """While a base or field is made, its arguments are those of the call that runs."""
+    frame.initialising = init.arguments
+    try:
+        yield
+    finally:
+        frame.initialising = ()
 
 
 def _fields(
@@ -131,7 +143,8 @@ def _fields(
         else:
             if not machine.run(init.body, frame):
                 return False
-            value = _field(machine, info, symbol, init, decaying(machine, given(frame, init.arguments)), frame)
+            with _initialising(frame, init):
+                value = _field(machine, info, symbol, init, decaying(machine, given(frame, init.arguments)), frame)
         if value is UNBOUND:
             return False
         if value is not None:

@@ -7,7 +7,7 @@ a + b      a.operator+(b), operator+(a, b) of the namespaces of a and b, else nu
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from rosward.domain.compound import External
 from rosward.domain.enumerated import Whole
@@ -189,23 +189,16 @@ def truth(machine: Engine, value: Value) -> bool | None:
     return plain.truth(machine, held)
 
 
-_EMPTY: Final = {"&&": Const(True), "||": Const(False), ",": NONE}
-
-
-def folded(machine: Engine, operator: str, values: Sequence[Value]) -> Value:
-    """`(values operator …)`."""
+def folded(machine: Engine, operator: str, values: Sequence[Value], *, right: bool = False) -> Value:
+    """`(values operator …)`; `right`: `(… operator values)` is done last."""
     if not values:
-        return _EMPTY.get(operator) or machine.unknown(Cause.OPERATION, f"{operator} of nothing")
-    if operator in ("&&", "||"):
-        decided = [truth(machine, v) for v in values]
-        short = operator == "||"
-        if short in decided:
-            return Const(short)
-        return machine.unknown(Cause.OPERATION, operator, "bool") if None in decided else Const(not short)
+        return NONE if operator == "," else machine.unknown(Cause.OPERATION, f"{operator} of nothing")
     if operator == ",":
         return values[-1]
-    result = values[0]
-    for value in values[1:]:
-        comparing = operator in ("==", "!=", "<", "<=", ">", ">=")
-        result = compare(machine, operator, result, value) if comparing else binary(machine, operator, result, value)
+    first, *others = reversed(values) if right else values
+    comparing = operator in ("==", "!=", "<", "<=", ">", ">=")
+    result = first
+    for value in others:
+        pair = (value, result) if right else (result, value)
+        result = compare(machine, operator, *pair) if comparing else binary(machine, operator, *pair)
     return result

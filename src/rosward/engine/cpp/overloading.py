@@ -15,7 +15,16 @@ from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, is_char_text
 from rosward.domain.values import NONE, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.cpp.binding import deduce
-from rosward.engine.cpp.categories import by_category, cast_to, numbers_written, same_parameters, undominated
+from rosward.engine.cpp.categories import (
+    Category,
+    by_category,
+    cast_to,
+    forwards,
+    numbers_written,
+    same_parameters,
+    undominated,
+    ways,
+)
 from rosward.engine.cpp.classes import bind_template
 from rosward.engine.cpp.convertible import TEXTS
 from rosward.engine.cpp.fit import (
@@ -23,6 +32,7 @@ from rosward.engine.cpp.fit import (
     CONVERTED,
     DEDUCED,
     EXACT,
+    FORWARDED,
     NEAR,
     NEVER,
     TEMPLATE,
@@ -57,14 +67,28 @@ def choose(
     by_number = [f for f in functions if _takes(f.code.signature, len(args), len(types))]
     if len(by_number) <= 1:
         return by_number or list(functions[:1])
+    several = ways(machine, by_number, args) or [()]
+    return list(dict.fromkeys(f for each in several for f in _chosen(machine, by_number, args, types, each)))
+
+
+def _chosen(
+    machine: Engine,
+    by_number: Sequence[Function],
+    args: tuple[Value, ...],
+    types: tuple[Value, ...],
+    categories: tuple[Category, ...],
+) -> list[Function]:
+    """Those that are meant, where it is known what the arguments are, or does not count."""
     values = [read(machine, a) for a in args]
     numbers, cast = _numbers(machine, args), cast_to(machine, args)
     scores: list[tuple[Function, tuple[int, ...]]] = []
     for function in by_number:
-        if (score := _score(machine, function, values, types, numbers, cast)) is not None:
-            scores.append((function, score))
+        score = _score(machine, function, values, types, numbers, cast)
+        is_enabled = _is_enabled(machine, function, args, types) if score is not None and categories else None
+        if score is not None and is_enabled is not False:
+            scores.append((function, _forwarded(function, score, categories) if is_enabled else score))
     if not scores:
-        return by_number
+        return list(by_number)
     left = undominated({s for _, s in scores}, _better)
     best = _enabled(machine, [f for f, s in scores if s in left], args, types)
     best = by_category(machine, best, args) if len(best) > 1 else best
@@ -90,6 +114,23 @@ def fitting(machine: Engine, functions: Sequence[Function], args: tuple[Value, .
     values = [read(machine, a) for a in args]
     by_number = [f for f in functions if _takes(f.code.signature, len(args), 0)]
     return [f for f in by_number if _score(machine, f, values, (), cast=cast_to(machine, args)) is not None]
+
+
+def _forwarded(function: Function, score: tuple[int, ...], categories: tuple[Category, ...]) -> tuple[int, ...]:
+    """`T &&` fits whatever is given as it is; a reference to what is constant fits so well only what is that."""
+    signature = function.code.signature
+    found = list(score)
+    for number, category in enumerate(categories):
+        parameter = _parameter(signature, number) if signature is not None else None
+        if parameter is None:
+            continue
+        if forwards(function, number):
+            found[number] = max(found[number], FORWARDED)
+        elif (
+            parameter.type.const and parameter.type.reference and not parameter.type.pointers and category != "constant"
+        ):
+            found[number] = min(found[number], FORWARDED - 1)
+    return tuple(found)
 
 
 def _versions(machine: Engine, best: list[Function]) -> list[Function]:
@@ -126,10 +167,11 @@ def _enabled(
     """Those of several templates whose arguments, and results, are types: not those with `typename = std::enable_if_t<false>`."""
     if len(best) < 2:
         return best
-    return [function for function in best if _is_enabled(machine, function, args, types)] or best
+    return [function for function in best if _is_enabled(machine, function, args, types) is not False] or best
 
 
-def _is_enabled(machine: Engine, function: Function, args: tuple[Value, ...], types: tuple[Value, ...]) -> bool:
+def _is_enabled(machine: Engine, function: Function, args: tuple[Value, ...], types: tuple[Value, ...]) -> bool | None:
+    """Whether the arguments of a template, and its result, are types; None where that is not known."""
     signature = function.code.signature
     if signature is None or not signature.template:
         return True
@@ -144,8 +186,10 @@ def _is_enabled(machine: Engine, function: Function, args: tuple[Value, ...], ty
             return False
         given.append(bound)
     symbol = linked(machine).templates.get(function.code.key)
-    result = symbol.type if symbol is not None else None
-    return result is None or evaluate(machine, result, env, types=tuple(given)) != NO_TYPE
+    if symbol is None or symbol.type is None:
+        return True
+    result = evaluate(machine, symbol.type, env, types=tuple(given))
+    return None if isinstance(result, Unknown) else result != NO_TYPE
 
 
 def _takes(signature: Signature | None, count: int, types: int) -> bool:

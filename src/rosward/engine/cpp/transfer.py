@@ -27,7 +27,7 @@ from rosward.engine.cpp import (
     methods,
     naming,
     narrowing,
-    operators,
+    spreading,
 )
 from rosward.engine.cpp.binding import instance
 from rosward.engine.cpp.classes import instance_of
@@ -252,29 +252,6 @@ def _braces(_machine: Engine, op: cpp.Braces, frame: Frame) -> None:
         frame.registers[op.dst] = Tuple(values)
 
 
-def _spread(machine: Engine, op: cpp.Spread, frame: Frame) -> bool | None:
-    frame.op, frame.sequence = op, 0
-    packs = [items_of(frame.registers[r]) for r in op.packs]
-    several = [items for items in packs if items is not None]
-    if len(several) < len(packs):
-        return _kept(frame, op.dst, machine.unknown(Cause.CALL, "parameter pack"))
-    results: list[Value] = [frame.registers[op.init]] if op.init != ops.NO_REGISTER else []
-    context = frame.context
-    for number, items in enumerate(zip(*several, strict=False)):
-        frame.context = machine.context(context, frame.code.key, op.number, number)
-        for register, item in zip(op.items, items, strict=True):
-            frame.registers[register] = item
-        alive = machine.run(op.body, frame)
-        frame.context = context
-        if not alive:
-            return DEAD
-        results.append(frame.registers[op.result])
-    frame.op, frame.sequence = op, 0
-    return _kept(
-        frame, op.dst, operators.folded(machine, op.operator, results) if op.operator else Tuple(tuple(results))
-    )
-
-
 def _default(machine: Engine, op: cpp.Default, frame: Frame) -> bool | None:
     if frame.registers[op.dst] is UNBOUND:
         return None if machine.run(op.body, frame) else DEAD
@@ -389,7 +366,8 @@ OWN: Final[dict[type[ops.Op], Handler]] = {
     cpp.MakeType: _make_type,
     cpp.TypeOfValue: _type_of_value,
     cpp.Braces: _braces,
-    cpp.Spread: _spread,
+    cpp.Spread: spreading.spread,
+    cpp.Placed: spreading.place,
     cpp.Default: _default,
     cpp.StaticLocal: _static_local,
     cpp.EndScope: _end_scope,

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Callable
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
-from rosward.domain.heap import KIND
+from rosward.domain.heap import KIND, Obj
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.calls.alternatives import each_apart
@@ -107,7 +108,7 @@ def _of_builtin(machine: Engine, value: Value, name: str) -> Value:
         said = Const(f"'NoneType' object has no attribute '{name}'")
         return machine.die("AttributeError", f"attribute {name} of None", (said,), sure=not value.origins)
     if not machine.library.native(f"{kind}.{name}") and not hasattr(getattr(builtins, kind, value), name):
-        return machine.unknown(Cause.ERROR, f"no attribute {name} of {kind}")
+        return machine.die("AttributeError", f"no attribute {name} of {kind}", sure=True)
     return BoundMethod(value, Native(f"{kind}.{name}"))
 
 
@@ -160,12 +161,25 @@ def _of_object(machine: Engine, ref: Ref, name: str) -> Value:
             return machine.unknown(Cause.CALL, name) if unclear else obj.cls
         if obj.kind == "generator" and name.partition("_")[0] in ("gi", "cr", "ag"):
             return machine.unknown(Cause.LIVE, f"generator.{name}")
+        if _lacks(machine, obj, name):
+            return machine.die("AttributeError", f"no attribute {name} of {obj.kind}", sure=True)
         return BoundMethod(ref, Native(f"{obj.kind}.{name}"))
     if machine.hooked:
         hook = lookup(machine, obj.cls, "__getattribute__")
         if hook.__class__ is Function:
             return _computed(machine, ref, name, lambda: machine.call(hook, (ref, Const(name))))
     return plain_attribute(machine, ref, name)
+
+
+_CONTAINERS: Final = MappingProxyType({"list": list, "dict": dict, "set": set})
+
+
+def _lacks(machine: Engine, obj: Obj, name: str) -> bool:
+    """Whether an object is surely a container of Python's own, which has no such attribute."""
+    cls = _CONTAINERS.get(obj.kind)
+    if cls is None or obj.payload in (ITERATOR, VIEW) or obj.cls != Native(f"builtins.{obj.kind}"):
+        return False
+    return not hasattr(cls, name) and machine.library.native(f"{obj.kind}.{name}") is None
 
 
 def plain_attribute(machine: Engine, ref: Ref, name: str) -> Value:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.memory import Heap
-from rosward.domain.state import State, join_objects, join_registers, join_states
+from rosward.domain.state import Merge, State, join_objects, join_registers, join_states
 from rosward.domain.values import UNBOUND, Choice, Value
 from rosward.engine.running.frame import Frame, Snapshot, join_into
 from rosward.engine.running.told import Kind, Telling, Told
@@ -49,6 +49,7 @@ class Catcher:
         "handles",
         "importing",
         "level",
+        "merge",
         "noted",
         "snapshot",
         "told",
@@ -57,9 +58,16 @@ class Catcher:
     )
 
     def __init__(
-        self, machine: Execution, frame: Frame, *, handles: bool = False, classes: tuple[str, ...] = ()
+        self,
+        machine: Execution,
+        frame: Frame,
+        *,
+        handles: bool = False,
+        classes: tuple[str, ...] = (),
+        merge: Merge = join,
     ) -> None:
         self.frame = frame
+        self.merge = merge  # how states of one exception are joined
         self.handles = handles  # it has `except`, not `finally` or `with` alone
         self.classes = classes  # the names of builtin exceptions that its handlers surely catch
         self.snapshot = Snapshot(frame.registers, machine.state)  # of no meaning before something is noted
@@ -77,6 +85,11 @@ class Catcher:
     def reached(self) -> bool:
         """Whether anything may arrive."""
         return self.level > 0 or bool(self.arrivals)
+
+    @property
+    def versions(self) -> tuple[object, ...]:
+        """What tells whether more arrives than before."""
+        return (self.level, *((each, snapshot.state.version) for each, snapshot in self.arrivals.items()))
 
     @property
     def raised(self) -> Value:
@@ -111,7 +124,7 @@ class Catcher:
             if self.told is not None:
                 self.told.append(Telling(Kind.ARRIVED, 0, each, heap.copy(), state.done))
             key = next((k for k in self.arrivals if k.__class__ is Choice and each in options(k)), each)
-            self.arrivals[key] = join_into(machine, self.arrivals.get(key), snapshot, known=self.arrived.get(key))
+            self.arrivals[key] = join_into(machine, self.arrivals.get(key), snapshot, self.merge, self.arrived.get(key))
             self.arrived[key] = heap
         self.arrivals = self.few(machine, _MOST)
         if len(self.arrivals) < len(self.arrived):

@@ -53,7 +53,7 @@ class Summary:
         self.value: Value = UNBOUND
         self.joined: Heap | None = None  # the heap that `before` was joined with last
         self.after: State | None = None
-        self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
+        self.catcher: Catcher | None = None  # what leaves it by exceptions
         self.asked_for: set[int] = set()  # the addresses whose records its body read, and its questions
         self.wrote: set[int] = set()  # and those at which it wrote, whether something else stands there now or not
         self.begun = before.done  # what had surely happened before its body ran last
@@ -80,7 +80,8 @@ class Summary:
     def versions(self) -> tuple[object, ...]:
         """What must not change any more."""
         after = self.after.version if self.after is not None else -1
-        return (tuple(self.registers), self.before.version, self.value, after)
+        raised = self.catcher.versions if self.catcher is not None else ()
+        return (tuple(self.registers), self.before.version, self.value, after, raised)
 
 
 Used = dict[object, tuple[Summary, int]]

@@ -329,6 +329,22 @@ def _spread(walker: Walker, op: cpp.Spread, body: Body, seen: Seen) -> None:
     body.registers[op.dst] = settled(walker, found, seen, body)
 
 
+def _placed(walker: Walker, op: cpp.Placed, body: Body, seen: Seen) -> None:
+    source = body.registers[op.src]
+    if op.pack:
+        tuples = frozenset(r for r in source.roots if not isinstance(r, int) and r[0] == "tuple")
+        source = source.joined(elements(walker, Mark(0, tuples)))
+    held = value(walker, source)
+    found = held if op.how == "found" else copied(held, seen)
+    places = frozenset(r for r in seen.refs if is_slot(r)) - slots(source)
+    write(walker, Mark(0, places), found, sure=len(places) == 1)
+    if op.how == "taken" or seen.reasons or not seen.refs:
+        body.registers[op.dst] = settled(walker, found, seen, body)
+    else:
+        mask = 0 if frozenset(seen.refs) == places else source.mask
+        body.registers[op.dst] = Mark(mask | body.pc, frozenset(seen.refs) | nameless(found))
+
+
 TABLE: Final[dict[type[ops.Op], Any]] = {
     cpp.Copy: _copy,
     cpp.Convert: _copy,
@@ -341,4 +357,5 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     cpp.Elements: _elements,
     cpp.Destructure: _destructure,
     cpp.Spread: _spread,
+    cpp.Placed: _placed,
 }

@@ -24,6 +24,7 @@ void (*table[])() = {f, g};              void (*table[])()   {f, g};
 Lamp & on(lamps[0].on);                  Lamp & on=lamps[0].on ;
 int (&row)[3] = rows[0];                 int  &row      = rows[0];
 using Ts::operator()...;                 using Ts::operator()   ;
+void set(T *... values)                  void set(T  ... values)
 o.operator()(1), p->A::operator=(a)      o.operato$LR(1), p->A::operato$E(a)
 return operator[](1);                    return operato$BK(1);
 using std::sin, std::cos;                using std::sin;using  std::cos;
@@ -31,7 +32,7 @@ virtual void stop() const {};            virtual void stop() const {}
 Box(const char *) -> Box<std::string>;   nothing
 template class Tree<Node>;               nothing: it runs nothing
 extern template int sum<int>(int);       the same
-unsigned on : 2 = 1;                     unsigned on     = 1;
+unsigned on : 2 = 1, off : 2 {0};        unsigned on     = 1, off     {0};
 unsigned : 4;                                        ;
 
 Only the declarations of one `using` become wider: what stands behind them in the same line moves.
@@ -136,11 +137,16 @@ _OWN_OPERATOR: Final = re.compile(
 """One that is called alone, as the object around has it: a declaration has a type before it."""
 _USING_PACK: Final = re.compile(r"(\busing\s+\w+\s*::\s*operator\s*\(\s*\)\s*)(\.\.\.)")
 
+_POINTERS_PACK: Final = re.compile(r"(?<=[(,])(\s*(?:const\s+)?\w+(?:\s+const)?\s*)\*(?=\s*\.\.\.\s*\w+\s*[,)])")
+"""Parameters that are pointers."""
+
+_WIDTH: Final = re.compile(r"(\b[A-Za-z_]\w*\s*)(:\s*\w+)(?=\s*[={])")
 _BITS: Final = re.compile(
-    r"(?<=[;{}:])(\s*(?:(?!(?:case|class|default|enum|goto|return|struct|union|using)\b)[A-Za-z_](?:\w|::)*\s+){1,4}[A-Za-z_]\w*\s*)(:\s*\w+)"
-    r"(?=\s*(?:=[^=;{}]{1,100}|\{[^;{}]{0,100}\})\s*;)"
+    r"(?<=[;{}:])\s*(?:(?!(?:case|class|default|enum|goto|return|struct|union|using)\b)[A-Za-z_](?:\w|::)*\s+){1,4}"
+    r"(?:[A-Za-z_]\w*\s*:\s*\w+\s*(?:=[^=;,{}?]{1,100}|\{[^;{}]{0,100}\})?\s*,){0,16}"
+    r"\s*[A-Za-z_]\w*\s*:\s*\w+\s*(?:=[^=;{}]{1,100}|\{[^;{}]{0,100}\})?\s*(?=;)"
 )
-"""The width of a bit-field that has a value in its class: a bit-field holds what its type holds."""
+"""Bit-fields of one declaration, with what they begin with: the widths are left out of those, as a bit-field holds what its type holds."""
 _NO_NAME: Final = re.compile(rf"(?<=[;{{}}:])\s*(?:const\s+)?(?:std::)?{_BUILTIN}\s*:\s*\w+\s*(?=;)")
 """Bits that have no name."""
 
@@ -170,7 +176,7 @@ def suited(text: str) -> str:
     if "new" in text:
         text = _NEW_POINTERS.sub(lambda found: found[1] + " " * len(found[2]), text)
     if "..." in text:
-        text = _USING_PACK.sub(r"\1   ", text)
+        text = _POINTERS_PACK.sub(r"\1 ", _USING_PACK.sub(r"\1   ", text))
     if "template" in text:
         text = _UNNAMED.sub("*_", text)
     if "decltype" in text or "sizeof" in text:
@@ -186,7 +192,7 @@ def suited(text: str) -> str:
     text = _ROW.sub(lambda found: f"{found[1]} {found[2]} {blank(found[3])}", _TABLE.sub(r"\1 ", text))
     if "->" in text:
         text = _GUIDE.sub(_blank, text)
-    text = _NO_NAME.sub(_blank, _BITS.sub(lambda found: found[1] + blank(found[2]), text))
+    text = _NO_NAME.sub(_blank, _BITS.sub(_without_widths, text))
     text = with_plain_captures(_EMPTY.sub(r"\1 ", text))
     if "using" in text:
         text = _USING_LIST.sub(_each_used, text)
@@ -199,6 +205,10 @@ def suited(text: str) -> str:
     if "template" in text:
         text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_nothing, text))
     return text
+
+
+def _without_widths(found: re.Match[str]) -> str:
+    return _WIDTH.sub(lambda width: width[1] + blank(width[2]), found[0])
 
 
 def _members(text: str) -> str:

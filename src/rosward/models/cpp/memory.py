@@ -25,7 +25,7 @@ from rosward.models.cpp.iteration.iterators import as_iterator
 from rosward.models.cpp.values.characters import as_kept
 from rosward.models.cpp.values.conversions import convert, default_value, new_container
 from rosward.models.cpp.values.copies import copied, several, write
-from rosward.models.cpp.values.owners import give_away, owning
+from rosward.models.cpp.values.owners import give_away, given_away, is_sole, owning
 from rosward.models.cpp.values.slots import read
 from rosward.models.cpp.values.types import Shape, argument, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
@@ -206,8 +206,8 @@ def _move_all(call: NativeCall) -> Value:
     for each in places(machine, call.args[0], call.args[1]) or ():
         left = place(machine, each)
         held = read(machine, left)
-        if isinstance(held, Pointer) and held.owner == "unique":
-            write(machine, left, owning(held, ""))
+        if is_sole(held):
+            write(machine, left, given_away(held))
     return behind
 
 
@@ -221,13 +221,13 @@ def _moving(call: NativeCall) -> Value:
 
 
 def _move(call: NativeCall) -> Value:
-    """std::move(x): of a pointer its value; where it stood there may be nothing any more."""
+    """std::move(x): of a pointer its value; where it stood there may be nothing any more, and nothing that it owns."""
     if len(call.args) > 2:
         return _move_all(call)
     place = call.exactly(1)[0]
     held = read(call.machine, place)
     if isinstance(place, Slot) and any(isinstance(option, Pointer) for option in options(held)):
-        write(call.machine, place, NONE, weak=True)
+        write(call.machine, place, join(given_away(held), NONE))
         return held
     return place
 

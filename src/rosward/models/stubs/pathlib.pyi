@@ -9,6 +9,8 @@ def _join(parts): ...
 @native
 def _dirname(path): ...
 @native
+def _parents(path): ...
+@native
 def _basename(path): ...
 @native
 def _splitext(path): ...
@@ -52,12 +54,7 @@ class PurePath:
         return Path(_dirname(self._text))
     @property
     def parents(self):
-        first = Path(_dirname(self._text))
-        second = Path(_dirname(first._text))
-        third = Path(_dirname(second._text))
-        fourth = Path(_dirname(third._text))
-        fifth = Path(_dirname(fourth._text))
-        return (first, second, third, fourth, fifth, Path(_dirname(fifth._text)))
+        return tuple(map(Path, _parents(self._text)))
     @property
     def parts(self):
         return tuple((['/'] if self._text.startswith('/') else []) + [p for p in self._text.split('/') if p])

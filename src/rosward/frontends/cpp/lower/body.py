@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final, Literal, final
 
 from rosward.frontends.cpp.lower.kept import Kept
-from rosward.frontends.cpp.lower.lvalues import is_lvalue, kind_of_result
+from rosward.frontends.cpp.lower.lvalues import kind_of
 from rosward.frontends.cpp.lower.survey import Survey, word
 from rosward.frontends.cpp.lower.undecided import Undecided
 from rosward.frontends.cpp.lower.variables import Jumps, Loop, Returns, Scope, Variable
@@ -61,8 +61,6 @@ _ASKING: Final = frozenset(
     }
 )  # fmt: skip
 """Methods that only look, whatever has them."""
-_RESULTS: Final = frozenset(f"{each}_expression" for each in ("call", "cast", "conditional", "comma", "parenthesized"))
-"""What may give a slot or not."""
 
 
 @final
@@ -247,12 +245,10 @@ class Body:
         if node.type == "parameter_pack_expansion":
             return Argued(self.expression(node, "slot"), "pack")
         variable = self.variable(word(node)) if node.type == "identifier" else None
-        if variable is not None and (variable.constant or variable.buffer) and not variable.raw:
-            return Argued(self.value(node), "constant" if variable.constant else "value")
-        kind: Literal["value", "slot", "result", "constant", "moved"] = (
-            "slot" if is_lvalue(node) else kind_of_result(node) if node.type in _RESULTS else "value"
-        )
-        return Argued(self.slot(node), kind)
+        kind = kind_of(node, variable)
+        if variable is not None and kind != "slot":
+            return Argued(self.value(node), kind)
+        return Argued(self.slot(node), kind, alterable=variable is not None and variable.alterable)
 
     def statement(self, node: Node) -> None:
         """Lower a statement into the current block."""

@@ -35,7 +35,7 @@ from rosward.frontends.cpp.lower.vexing import arguments_in, combined, meant, re
 from rosward.frontends.cpp.patterns import has_const
 from rosward.ir.arithmetic import WRAPPING
 from rosward.ir.core import NO_REGISTER, Binary
-from rosward.ir.cpp import Convert, Copy, Destructure, StaticLocal
+from rosward.ir.cpp import Convert, Copy, Destructure, Placed, StaticLocal
 from rosward.ir.cpp_names import NUMBERED
 
 if TYPE_CHECKING:
@@ -106,7 +106,8 @@ def variable(
         parts = (
             [over(body, value, f"{NUMBERED}{i}") for i in range(len(name.named_children))] if value is not None else []
         )
-        bind(body, node, shape, name, body.slot(value) if has(shape, REFERENCES) else body.own(value))
+        whole = None if value is None else _single(value)
+        bind(body, node, shape, name, body.slot(whole) if has(shape, REFERENCES) else body.own(whole))
         for child, each in zip(name.named_children, parts, strict=False):
             bound = body.variable(word(child))
             if bound is not None:
@@ -158,6 +159,7 @@ def _one(
         constant=constant,
         cell=characters and not static,
     )
+    found.alterable = not (constant or static or (reference and (is_auto or has_const(node))))
     found.buffer = characters
     found.leads_to_constant = has_const(node) and has(shape, POINTERS)
     is_first = found.written is None and found.over is None  # not so in another branch of an `#if`
@@ -178,7 +180,10 @@ def _one(
         body.emit(StaticLocal(*body.place(node), dst, block, result))
         body.write(node, found, dst)
     elif reference and not isinstance(what, Given):
-        body.write(node, found, _referred(body, node, type_node, shape, what))
+        referred = _referred(body, node, type_node, shape, what)
+        if shape.children[:1] and shape.children[0].type == "&&" and body.shared.survey.changes(name):
+            body.emit(Placed(*body.place(node), referred, referred, "found"))
+        body.write(node, found, referred)
     else:
         body.write(node, found, initial(body, node, type_node, shape, what, equals=equals, local=True))
         holds = not number and not has(shape, POINTERS | FUNCTIONS) and not builtin(type_node)

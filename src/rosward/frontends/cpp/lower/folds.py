@@ -7,20 +7,27 @@ f(args...)                         Invoke f (pack args)
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body, Want
-from rosward.frontends.cpp.lower.survey import word
+from rosward.frontends.cpp.lower.survey import operator_of, word
 from rosward.frontends.cpp.lower.variables import Scope, Variable
-from rosward.ir.core import NO_REGISTER
-from rosward.ir.cpp import Spread
+from rosward.ir.control import If
+from rosward.ir.core import NO_REGISTER, Const
+from rosward.ir.cpp import Assign, Spread
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 _NAMES: Final = frozenset({"identifier", "type_identifier", "namespace_identifier"})
-_OPERATORS: Final = frozenset({",", "+", "-", "*", "/", "&", "|", "^", "&&", "||", "==", "<<", ">>", "and", "or"})
-_WORDS: Final = {"and": "&&", "or": "||"}
+_ASSIGNING: Final = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
+_STREAMING: Final = frozenset({"<<", ">>"})
+_OPERATORS: Final = (
+    frozenset({",", "+", "-", "*", "/", "%", "&", "|", "^", "&&", "||", "==", "!=", "<", "<=", ">", ">="})
+    | _STREAMING
+    | _ASSIGNING
+)
 
 
 def _packs(body: Body, node: Node) -> list[tuple[str, Node]]:
@@ -44,8 +51,17 @@ def _held(body: Body, name: Node) -> int:
     return body.value(name) if variable is None else body.held(name, variable)
 
 
-def _spread(body: Body, node: Node, pattern: Node, operator: str = "", init: int = NO_REGISTER) -> int:
-    """Run the pattern for the items of its packs, which are variables as long."""
+def _spread(
+    body: Body,
+    node: Node,
+    pattern: Node,
+    operator: str = "",
+    init: int = NO_REGISTER,
+    *,
+    right: bool = False,
+    each: Callable[[], int] | None = None,
+) -> int:
+    """Run the pattern for the items of its packs, which are variables as long; or `each`, which runs it."""
     packs = _packs(body, pattern)
     if not packs:
         return body.unknown(node, "syntax")
@@ -61,12 +77,14 @@ def _spread(body: Body, node: Node, pattern: Node, operator: str = "", init: int
 
     def run() -> None:
         nonlocal result
-        result = body.expression(pattern, "value" if operator not in ("", ",") else "slot")
+        result = each() if each else body.expression(pattern, "value" if operator not in ("", ",") else "slot")
 
     block = body.block(run)
     body.scopes.pop()
     dst = body.register()
-    body.emit(Spread(*body.place(node), dst, registers, items, block, result, operator=operator, init=init))
+    body.emit(
+        Spread(*body.place(node), dst, registers, items, block, result, operator=operator, init=init, right=right)
+    )
     return dst
 
 
@@ -89,17 +107,59 @@ def _expansion(body: Body, node: Node, _want: Want) -> int:
 
 
 def _fold(body: Body, node: Node, _want: Want) -> int:
-    """`(… op pack)`, `(pack op …)`, `(init op … op pack)`."""
+    """`(… op pack)`, `(pack op …)`, `(init op … op pack)`, `(pack op … op init)`."""
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-    found = node.child_by_field_name("operator")
-    operator = word(found)
+    operator = operator_of(node)
     operands = [each for each in (left, right) if each is not None and each.type != "..."]
     if operator not in _OPERATORS or not operands:
         return body.unknown(node, "language", "fold")
     pattern = next((each for each in operands if _packs(body, each)), operands[-1])
     other = next((each for each in operands if each.id != pattern.id), None)
-    init = NO_REGISTER if other is None else body.slot(other) if operator == "<<" else body.value(other)
-    return _spread(body, node, pattern, _WORDS.get(operator, operator), init)
+    is_right = left is not None and pattern.id == left.id
+    first, last = (None, other) if is_right else (other, None)
+    if operator in ("&&", "||"):
+        return _decided(body, node, pattern, operator, first, last)
+    if operator == ",":
+        if first is not None:
+            body.expression(first, "effect")
+        found = _spread(body, node, pattern, operator)
+        return found if last is None else body.slot(last)
+    if operator in _ASSIGNING:
+        return _assigned(body, node, pattern, operator, first)
+    init = NO_REGISTER if other is None else body.slot(other) if operator in _STREAMING else body.value(other)
+    return _spread(body, node, pattern, operator, init, right=is_right)
+
+
+def _decided(body: Body, node: Node, pattern: Node, operator: str, first: Node | None, last: Node | None) -> int:
+    """`(pack && …)`: as soon as one decides, the others do not run."""
+    dst = body.register()
+    place = body.place(node)
+    body.emit(Const(*place, dst, operator == "&&"))
+
+    def asked(operand: Node) -> int:
+        decided = body.block(lambda: body.emit(Const(*place, dst, operator == "||")))
+        going = body.block(lambda: body.move(node, dst, body.value(operand)))
+        body.emit(If(*place, dst, *((going, decided) if operator == "&&" else (decided, going))))
+        return dst
+
+    if first is not None:
+        asked(first)
+    _spread(body, node, pattern, ",", each=lambda: asked(pattern))
+    return dst if last is None else asked(last)
+
+
+def _assigned(body: Body, node: Node, pattern: Node, operator: str, first: Node | None) -> int:
+    """`(sum += … += pack)`: one after the other."""
+    if first is None:
+        return body.unknown(node, "language", "fold")
+    slot = body.slot(first)
+
+    def one() -> int:
+        body.emit(Assign(*body.place(node), NO_REGISTER, operator, slot, body.value(pattern)))
+        return slot
+
+    _spread(body, node, pattern, ",", each=one)
+    return slot
 
 
 def _size(body: Body, node: Node, _want: Want) -> int:

@@ -27,7 +27,7 @@ from rosward.frontends.cpp.lower.variables import Variable
 from rosward.frontends.cpp.patterns import parameter_nodes
 from rosward.frontends.cpp.written import DefaultArgument
 from rosward.ir.core import NO_REGISTER, Move, StoreCell
-from rosward.ir.cpp import Convert, Copy, Default, Read
+from rosward.ir.cpp import Convert, Copy, Default, Placed, Read
 from rosward.ir.program import CPP, Code, CodeKind, Parameters
 from rosward.ir.symbols import ParameterSymbol, Signature, TemplateParameter
 from rosward.records import NamedTuple
@@ -120,6 +120,12 @@ def _parameter(
         body.emit(Default(*place, register, body.block(lambda: _default(body, default, node, register))))
     reference = has(declarator, REFERENCES)
     converts = not symbol.pack and not _free(symbol, types)
+    survey = body.shared.survey
+    is_changed = survey.changes(symbol.name)
+    if symbol.pack and not reference:
+        body.emit(Placed(*place, register, register, "copied" if is_changed else "taken", pack=True))
+    elif is_changed and symbol.type.reference == "&&" and not converts:
+        body.emit(Placed(*place, register, register, "found", pack=symbol.pack))
     if symbol.pack:
         pass
     elif reference:
@@ -141,9 +147,9 @@ def _parameter(
     variable = Variable(symbol.name, register, NO_REGISTER, reference=reference, pack=symbol.pack)
     variable.builtin = "" if has(declarator, POINTERS | ARRAYS) else builtin(type_node)
     variable.constant = symbol.type.const and not symbol.type.pointers
+    variable.alterable = not (variable.constant or symbol.pack or (reference and _free(symbol, types)))
     variable.written = None if type_node is None or not symbol.type.names else (type_node, declarator)
     variable.leads_to_constant = symbol.type.const and bool(symbol.type.pointers)
-    survey = body.shared.survey
     changes = (
         symbol.name in survey.assigned and not reference and not variable.builtin and not has(declarator, POINTERS)
     )

@@ -21,7 +21,7 @@ from rosward.frontends.cpp.lower.variables import Returns, Variable
 from rosward.frontends.cpp.patterns import parameter_nodes, parameters
 from rosward.frontends.cpp.written import DefaultArgument
 from rosward.ir.core import NO_REGISTER, StoreCell
-from rosward.ir.cpp import Copy, MakeLambda
+from rosward.ir.cpp import Copy, MakeLambda, Placed
 from rosward.ir.python import NewCell
 from rosward.ir.symbols import Signature
 from rosward.records import NamedTuple
@@ -193,6 +193,10 @@ def _capture(body: Body, node: Node, found: _Captures, name: str, how: str, muta
         found.named.append(variable)
     elif variable.raw or not how or (how == "&" and variable.cell == NO_REGISTER):
         held = body.held(node, variable)
+        if how == "=" and variable.pack and not variable.type:
+            dst = body.register()
+            body.emit(Placed(*body.place(node), dst, held, "kept" if mutable else "taken", pack=True))
+            held = dst
         found.copied.append(
             _Copied(
                 name,

@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, Literal
+from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.survey import is_through, word
 
 if TYPE_CHECKING:
     from tree_sitter import Node
+
+    from rosward.frontends.cpp.lower.variables import Variable
+    from rosward.ir.cpp import Kind
 
 _DEPTH: Final = 100
 _LVALUES: Final = frozenset(
@@ -47,9 +50,23 @@ def is_lvalue(node: Node) -> bool:
     return False
 
 
-def kind_of_result(node: Node) -> Literal["result", "constant", "moved"]:
+_RESULTS: Final = frozenset(f"{each}_expression" for each in ("call", "cast", "conditional", "comma", "parenthesized"))
+"""What may give a slot or not."""
+
+
+def kind_of(node: Node, variable: Variable | None) -> Kind:
+    """Of what kind an expression is as an argument; the variable that it names, if it is one."""
+    if variable is not None and (variable.constant or variable.buffer) and not variable.raw:
+        return "constant" if variable.constant else "value"
+    return "slot" if is_lvalue(node) else _of_result(node) if node.type in _RESULTS else "value"
+
+
+def _of_result(node: Node) -> Kind:
     """Of what kind the result of a call or cast is, as an argument."""
-    function = node.child_by_field_name("function") if node.type == "call_expression" else None
-    text = word(function)
+    return kind_of_call(word(node.child_by_field_name("function") if node.type == "call_expression" else None))
+
+
+def kind_of_call(text: str) -> Kind:
+    """The same, by how the function is written."""
     is_cast = text.startswith("static_cast<") and text.rstrip("> ").endswith("&&")
     return "constant" if text == "std::as_const" else "moved" if text == "std::move" or is_cast else "result"

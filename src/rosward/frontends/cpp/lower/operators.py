@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.frontends.cpp.lower.arithmetic import bounded, difference, receiver_of_size, type_written
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.literals import is_of
-from rosward.frontends.cpp.lower.lvalues import is_lvalue
+from rosward.frontends.cpp.lower.lvalues import is_lvalue, kind_of
 from rosward.frontends.cpp.lower.names import last_part, of_parts, parts_of, template_arguments
 from rosward.frontends.cpp.lower.narrowing import COMPARE, condition, conjunction, split
 from rosward.frontends.cpp.lower.seen import again, is_constant, led_to, seen_scope
@@ -206,11 +206,13 @@ def _parenthesized(body: Body, node: Node, want: Want) -> int:
     return body.expression(inner[0], want) if len(inner) == 1 else body.unknown(node, "syntax")
 
 
+def _variable(body: Body, node: Node | None) -> Variable | None:
+    return body.variable(word(node)) if node is not None and node.type == "identifier" else None
+
+
 def _local(body: Body, node: Node | None) -> Variable | None:
     """The variable in a register that an expression names."""
-    if node is None or node.type != "identifier":
-        return None
-    variable = body.variable(word(node))
+    variable = _variable(body, node)
     if variable is None or variable.reference or variable.raw or variable.register == NO_REGISTER:
         return None
     return variable
@@ -230,7 +232,7 @@ def _converted(body: Body, node: Node, variable: Variable | None, value: Node | 
 def _assignment(body: Body, node: Node, want: Want) -> int:
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
     operator = operator_of(node)
-    src = body.value(right)
+    src = written = body.value(right)
     body.assignments += 1
     variable = _local(body, left)
     if variable is not None:
@@ -241,7 +243,7 @@ def _assignment(body: Body, node: Node, want: Want) -> int:
         literal = right if operator == "=" or not _leaves(variable, operator) else None
         body.move(node, variable.register, _converted(body, node, variable, literal, src))
         return variable.register
-    target = body.variable(word(left)) if left is not None and left.type == "identifier" else None
+    target = _variable(body, left)
     if target is not None and target.raw:
         target = None
     slot = body.slot(left)
@@ -259,7 +261,8 @@ def _assignment(body: Body, node: Node, want: Want) -> int:
         src = _converted(body, node, target, right, src)
     dst = NO_REGISTER if want == "effect" else body.register()
     seen, static = led_to(body, left) if operator == "=" else ([], NO_REGISTER)
-    body.emit(Assign(*body.place(node), dst, operator, slot, src, seen=seen, static=static))
+    kind = "value" if right is None or src != written else kind_of(right, _variable(body, right))
+    body.emit(Assign(*body.place(node), dst, operator, slot, src, kind=kind, seen=seen, static=static))
     again(body, node, target, left, slot)
     return dst if want == "effect" else body.given(node, dst, want)
 

@@ -35,6 +35,10 @@ class Survey(NamedTuple):
     assigned: frozenset[str]
     used: dict[int, dict[str, None]]
 
+    def changes(self, name: str) -> bool:
+        """Whether a variable may be written, here or by what refers to it."""
+        return name in self.placed or name in self.assigned
+
 
 def survey(root: Node) -> Survey:
     """Walk a function, or what else has code of its own."""
@@ -206,10 +210,11 @@ def _placed(node: Node, kind: str) -> Iterator[str]:
         yield from named(changed if changed is not None and changed.type in _AROUND else None)
     elif kind in _VALUES:
         yield from named(node.child_by_field_name("value") or node.child_by_field_name("right"))
-    elif kind == "parameter_pack_expansion":
-        yield from named(node.child_by_field_name("pattern"))
+    elif kind in _OF_PACKS:
+        yield from named(node.child_by_field_name(_OF_PACKS[kind]))
 
 
+_OF_PACKS: Final = {"parameter_pack_expansion": "pattern", "fold_expression": "left"}  # `(sum += … += pack)`
 _CHANGES: Final = {"assignment_expression": "left", "update_expression": "argument"}
 _AROUND: Final = frozenset(
     {"parenthesized_expression", "conditional_expression", "assignment_expression", "update_expression"}

@@ -25,7 +25,8 @@ class Over(NamedTuple):
 class Variable:
     """A local variable: in a register, or in a cell where something may refer to it.
 
-    `reference`: it holds a slot. `constant`: it is never assigned to, whoever gets it. `leads_to_constant`: a pointer, through which nothing
+    `reference`: it holds a slot. `constant`: it is never assigned to, whoever gets it. `alterable`: it is surely not constant.
+    `leads_to_constant`: a pointer, through which nothing
     is changed. `builtin`: the arithmetic type that it has. `buffer`: an array of characters, which is kept as a text, and as a value a pointer
     to the first of them. `counts`: it is `auto` of a part of something, which may be a short or unsigned number. `raw`: a type, a constant of a
     template or a pack, which is taken as it is; `pack` tells the last, `type` a type or constant. `path`: it is no variable at all, but another
@@ -35,6 +36,7 @@ class Variable:
     """
 
     __slots__ = (
+        "alterable",
         "buffer",
         "builtin",
         "cell",
@@ -72,6 +74,7 @@ class Variable:
         self.reference = reference
         self.builtin = builtin
         self.buffer = False
+        self.alterable = False
         self.constant = False
         self.counts = False
         self.leads_to_constant = False

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.casts import CASTS, Cast, by_value
+from rosward.frontends.cpp.lower.lvalues import kind_of_call
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import FUNCTIONS, type_of, within
 from rosward.ir.core import Binary
@@ -61,9 +62,9 @@ def meant(body: Body, node: Node) -> Argued:
         return Argued(body.unknown(node, "syntax"))
     if inner is None:
         variable = body.variable(word(type_node))
-        if variable is not None and variable.buffer:
-            return Argued(body.value(type_node), "value")
-        return Argued(body.slot(type_node), "slot")
+        if variable is not None and (variable.constant or variable.buffer) and not variable.raw:
+            return Argued(body.value(type_node), "constant" if variable.constant else "value")
+        return Argued(body.slot(type_node), "slot", alterable=variable is not None and variable.alterable)
     if inner.type == "abstract_array_declarator":
         return Argued(_element(body, body.slot(type_node), inner), "slot")
     listed, given_ = inner.child_by_field_name("parameters"), arguments_in(inner)
@@ -77,7 +78,7 @@ def meant(body: Body, node: Node) -> Argued:
     arguments = tuple(meant(body, each) for each in given_ or ())
     dst = body.register()
     body.emit(Invoke(*body.place(node), dst, function, arguments))
-    return Argued(dst, "result")
+    return Argued(dst, kind_of_call(word(type_node)))
 
 
 def _converted(body: Body, node: Node, value: Node, type_: Node, kind: Cast) -> Argued:

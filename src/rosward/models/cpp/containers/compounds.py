@@ -189,14 +189,19 @@ def alternative(machine: Machine, value: Value, type_: Value) -> Value | None:
 
 
 def _get_if(call: NativeCall) -> Value:
-    """std::get_if<T>(&variant): a pointer to what it holds, or nullptr."""
-    machine, types = call.machine, _types(call)
-    pointer = read(machine, call.args[0])
+    """std::get_if<T>(&variant): a pointer to what it holds, or nullptr; of each variant that the pointer may lead to."""
+    wanted = next(iter(_types(call)), _AUTO)
+    return join_all([_held_as(call.machine, o, wanted) for o in options(read(call.machine, call.args[0]))])
+
+
+def _held_as(machine: Machine, pointer: Value, wanted: Value) -> Value:
+    if pointer == NONE:
+        return NONE
     place = pointer.target if isinstance(pointer, Pointer) else pointer
     target = unboxed(machine, place)
-    fits = is_of_type(machine, target, types[0]) if types else None
-    if fits is None and types and target is not place:
-        kept = [o for o in options(read(machine, target)) if is_of_type(machine, o, types[0]) is not False]
+    fits = None if int_of(wanted) is not None else is_of_type(machine, target, wanted)  # nobody keeps the numbers
+    if fits is None and target is not place:
+        kept = [o for o in options(read(machine, target)) if is_of_type(machine, o, wanted) is not False]
         target = join_all(kept) if kept and all(isinstance(o, Ref) for o in kept) else target
     found = pointer if isinstance(pointer, Pointer) and target is place else Pointer(target)
     return found if fits else NONE if fits is False else join(found, NONE)
@@ -244,7 +249,8 @@ def _any_cast(call: NativeCall) -> Value:
     types, value = _types(call), read(call.machine, call.args[0])
     if not types:
         return value
-    if isinstance(value, Pointer) and not _holds_it(call.machine, value, types[0]):
+    pointers = [o for o in options(value) if o != NONE]
+    if pointers and all(isinstance(o, Pointer) and not _holds_it(call.machine, o, types[0]) for o in pointers):
         return _get_if(call)
     error = ("bad_any_cast", "bad any_cast")
     found = [_alternative(call.machine, p, held, types[0], error) for p, held in _apart(call.machine, call.args[0])]

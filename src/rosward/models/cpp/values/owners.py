@@ -14,7 +14,7 @@ from rosward.domain.values import Choice, Ref, Value
 from rosward.models.cpp.values.types import name_of
 from rosward.models.native import Machine
 
-__all__ = ["as_pointer", "give_away", "is_sole", "owning"]
+__all__ = ["as_pointer", "give_away", "given_away", "is_sole", "owning"]
 
 
 def owning(value: Value, owner: Owner) -> Value:
@@ -33,11 +33,13 @@ def is_sole(value: Value) -> bool:
     return value.__class__ is Pointer and value.owner == "unique"
 
 
+def given_away(value: Value) -> Value:
+    """A value that owns nothing alone any more."""
+    return lift(lambda v: Pointer(v.target) if isinstance(v, Pointer) and is_sole(v) else v, value)
+
+
 def give_away(machine: Machine, ref: Ref) -> None:
     """What an object owned alone belongs to its copy from then on: such an object is moved, it cannot be copied."""
-
-    def one(value: Value) -> Value:
-        return Pointer(value.target) if isinstance(value, Pointer) and is_sole(value) else value
 
     obj = machine.obj(ref)
     for value in (*obj.attrs.values(), *(obj.items or ())):
@@ -45,5 +47,7 @@ def give_away(machine: Machine, ref: Ref) -> None:
             break
     else:
         return
-    attrs = {name: one(value) for name, value in obj.attrs.items()}
-    machine.update(ref, obj.replace(attrs=attrs, items=None if obj.items is None else tuple(map(one, obj.items))))
+    attrs = {name: given_away(value) for name, value in obj.attrs.items()}
+    machine.update(
+        ref, obj.replace(attrs=attrs, items=None if obj.items is None else tuple(map(given_away, obj.items)))
+    )

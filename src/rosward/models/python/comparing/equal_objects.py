@@ -42,7 +42,7 @@ def row_of(machine: Machine, value: Value) -> Tuple | None:
     if not isinstance(value, Ref):
         return value if isinstance(value, Tuple) else None
     obj = machine.obj(value)
-    is_row = isinstance(obj.cls, Class) and any(isinstance(b, Class) and b.name == "_NamedTuple" for b in obj.cls.mro)
+    is_row = isinstance(obj.cls, Class) and any(map(_is_row, obj.cls.mro))
     if not is_row or obj.many or obj.partial or has_equality(machine, obj.cls):
         return None
     fields = machine.load_attr(obj.cls, "_fields")
@@ -65,8 +65,15 @@ def is_of_many(machine: Machine, key: Value) -> bool:
 
 
 def has_equality(machine: Machine, cls: Value) -> bool:
-    """Whether a class, or one above it, has an `__eq__` in the program, or is one of `Literal[…]` and the like."""
+    """Whether a class, or one above it, has an `__eq__` in the program, or in a model that says it in Python (`pathlib.Path`).
+
+    A named tuple is equal to what holds the same: that is known without asking."""
     return isinstance(cls, Class) and any(
-        isinstance(b, Class) and (not b.stub or b.module == "typing") and "__eq__" in machine.obj(Ref(b.address)).attrs
+        isinstance(own := machine.obj(Ref(b.address)).attrs.get("__eq__"), Function) or (own is not None and not b.stub)
         for b in cls.mro
+        if isinstance(b, Class) and not _is_row(b)
     )
+
+
+def _is_row(cls: Value) -> bool:
+    return isinstance(cls, Class) and cls.stub and cls.name == "_NamedTuple"

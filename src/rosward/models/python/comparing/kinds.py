@@ -3,14 +3,18 @@
 
 type(run) is types.FunctionType       perhaps: both are called `function`
 type(run) is types.MethodType         no
+type(vars(C)) is types.MappingProxyType    perhaps: both are a dict
 """
 
 from __future__ import annotations
 
 import types
+from typing import Final
 
 from rosward.domain.compound import Native
-from rosward.domain.values import Class, Value
+from rosward.domain.values import Class, Function, Value
+
+_DICT: Final = Native("builtins.dict")
 
 
 def names_kind(left: Value, right: Value) -> bool:
@@ -19,6 +23,8 @@ def names_kind(left: Value, right: Value) -> bool:
 
 
 def _is_named(cls: Value, native: Value) -> bool:
+    if isinstance(cls, Function):  # `MappingProxyType(names)` is the dict itself, as is what `vars(C)` gives
+        return cls.module.name == "types" and native == _DICT
     if not isinstance(cls, Class) or not cls.stub or cls.module != "types" or not isinstance(native, Native):
         return False
     kind = getattr(types, cls.name, None)

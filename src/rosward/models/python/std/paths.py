@@ -102,6 +102,19 @@ def dirname(value: Value) -> Value:
     return head
 
 
+def _parents(value: Value) -> Value:
+    """The folders above a path, the nearest first: the last is `/` or `.`; so many as anyone asks for, where a part of it is not known."""
+    plain = text_of(value)
+    found: list[Value] = []
+    while len(found) < (_ABOVE if plain is None else len(plain)) and (above := normal(dirname(value))) != value:
+        found.append(above)
+        value = above
+    return Tuple(tuple(found))
+
+
+_ABOVE: Final = 6
+
+
 def _above(folder: Hole) -> Value:
     """The folder above an unknown one: that of share/demo is share, in the install folder of the package; that of a module is one of the sources."""
     causes = {(reason.cause, reason.subject) for reason in folder.reasons}
@@ -133,15 +146,25 @@ def splitext(value: Value) -> tuple[Value, Value]:
     return make((*(p for p in parts[:1] if isinstance(p, str)), Hole(reasons)), origins), Unknown(reasons, "str")
 
 
+_SLASHES: Final = re.compile("/{2,}")
+
+
+def _root(text: str) -> str:
+    """What an absolute path begins with: two slashes are kept, more are one."""
+    return "//" if text.startswith("//") and not text.startswith("///") else text[: text.startswith("/")]
+
+
 def normal(value: Value) -> Value:
-    """The text of `pathlib.PurePath`: no double slashes, no `.` components, no slash at the end."""
+    """The text of `pathlib.PurePath`: no double slashes but two in front, no `.` components, no slash at the end."""
     plain = text_of(value)
     if plain is None:
         parts = parts_of(value)
-        last = parts[-1]
+        first, last = parts[0], parts[-1]
         kept = (*parts[:-1], last.rstrip("/") if isinstance(last, str) else last)
-        return make(tuple(p.replace("//", "/") if isinstance(p, str) else p for p in kept), origins_of(value))
-    root = "/" if plain.startswith("/") else ""
+        root = _root(first)[1:] if isinstance(first, str) else ""
+        single = [_SLASHES.sub("/", p) if isinstance(p, str) else p for p in kept]
+        return make((root, *single), origins_of(value))
+    root = _root(plain)
     text = root + "/".join(p for p in plain.split("/") if p not in ("", "."))
     return Const(text or ".", origins_of(value))
 
@@ -318,6 +341,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "os.fspath": _fspath,
     "pathlib._join": _join_parts,
     "pathlib._dirname": _on_text(dirname),
+    "pathlib._parents": _on_text(_parents),
     "pathlib._basename": _on_text(lambda value: EMPTY if text_of(value) == "." else basename(value)),
     "pathlib._splitext": _pair(splitext),
     "pathlib._absolute": _absolute,
