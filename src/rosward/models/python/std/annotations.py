@@ -24,7 +24,7 @@ from rosward.models.python.std.support import class_obj
 WRITTEN_IN: Final = "_rosward_module"
 """Where a class with annotations keeps the module in which it is written."""
 _BUILTINS: Final = frozenset(
-    {"int", "str", "float", "bool", "list", "dict", "set", "tuple", "bytes", "object", "complex", "frozenset"}
+    {"int", "str", "float", "bool", "list", "dict", "set", "tuple", "bytes", "object", "complex", "frozenset", "type"}
 )
 
 
