@@ -29,6 +29,12 @@ def found(text: str) -> list[str]:
         ("import plugs\npkgutil.iter_modules(plugs.__path__)", []),
         ("importlib.import_module(name)\n" * 300 + "importlib.import_module('last')", ["*", "last"]),
         ("import json", []),
+        ("pkgutil.iter_modules(__path__)", []),
+        ("for m in pkgutil.iter_modules(__path__): importlib.import_module(m.name)", [".*", "*"]),
+        ("__all__ = ['nav', 'run', 'pkgutil', 'Base']\nclass Base: ...\ndef run(): ...", [".nav"]),
+        ("__all__ = [*a.__all__, *(b.__all__ + ['nav'])]", [".nav"]),
+        ("__all__ = []\nfor name in names: __all__.append(name)", [".*"]),
+        ("__all__ = ['nav']\n__all__ += [n for n in names]", [".*"]),
     ],
 )
 def test_names(text: str, expected: list[str]) -> None:

@@ -9,7 +9,8 @@ from __future__ import annotations
 import builtins
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join_all
+from rosward.domain.certain import text_of
+from rosward.domain.choice import join_all, options
 from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
@@ -85,14 +86,12 @@ def import_star(machine: Engine, op: ops.ImportStar, frame: Frame) -> bool:
         assert isinstance(stars, Tuple)
         machine.put(frame.module.address, here.with_attr(_STARS, Tuple((*stars.items, module))))
         return True
+    names, more = _exported(machine, module)
+    taken = {n: attribute(machine, module, n) for n in names}
+    for name in more:
+        _import_perhaps(machine, module, name)
     record = machine.at(module.address)
-    names = [n for n in record.attrs if not n.startswith("_")]
-    listed = record.attrs.get("__all__")
-    if listed is not None:
-        known, rest = machine.iterate(listed)
-        if rest is None and all(isinstance(k, Const) and isinstance(k.value, str) for k in known):
-            names = [k.value for k in known if isinstance(k, Const) and isinstance(k.value, str)]
-    taken = {n: attribute(machine, module, n) for n in names if n != _STARS}
+    taken |= {n: record.attrs[n] for n in more if n in record.attrs}
     here = machine.at(frame.module.address)
     attrs = {**here.attrs, **taken}
     theirs = record.attrs.get(_STARS)
@@ -102,6 +101,48 @@ def import_star(machine: Engine, op: ops.ImportStar, frame: Frame) -> bool:
         attrs[_STARS] = Tuple((*(before.items if isinstance(before, Tuple) else ()), *further))
     machine.put(frame.module.address, here.replace(attrs=attrs))
     return True
+
+
+def _exported(machine: Engine, module: ModuleValue) -> tuple[list[str], list[str]]:
+    """The names that `import *` takes of a module, and those of modules in it that `__all__` may have, too.
+
+    Where `__all__` is not wholly known, each public name counts as one of it.
+    """
+    attrs = machine.at(module.address).attrs
+    public = [n for n in attrs if not n.startswith("_") and n != _STARS]
+    listed = attrs.get("__all__")
+    if listed is None:
+        return public, []
+    known, rest = machine.iterate(listed)
+    sure = [text_of(k) for k in known]
+    if rest is None and all(sure):
+        return sure, []
+    meant = [text_of(option) for value in (*known, rest) if value is not None for option in options(value)]
+    if not all(meant) and _may_load_more(machine, module):
+        machine.report("RW203", f"which modules of {module.name} a star import loads is not known: __all__ is not")
+    return list(dict.fromkeys([*public, *filter(None, sure)])), [
+        n for n in dict.fromkeys(meant) if n and n not in attrs
+    ]
+
+
+def _may_load_more(machine: Engine, module: ModuleValue) -> bool:
+    """Whether there are modules in a package that have not been imported."""
+    if not module.file.endswith("__init__.py"):
+        return False
+    inside = machine.call_native("pkgutil._modules", machine.iterate(_path_of(machine, module)).known)
+    names = {
+        text_of(pair.items[0])
+        for pair in (inside.items if isinstance(inside, Tuple) else ())
+        if isinstance(pair, Tuple)
+    }
+    return bool(names - machine.at(module.address).attrs.keys())
+
+
+def _import_perhaps(machine: Engine, package: ModuleValue, name: str) -> None:
+    """Import a module of a package, or not."""
+    each_apart(
+        machine, (True, False), lambda way: attribute(machine, package, name, importing=True) if way else Const(None)
+    )
 
 
 def _also_beyond(machine: Engine, module: ModuleValue) -> tuple[Value, ...]:
@@ -320,6 +361,8 @@ def load_global(machine: Engine, module: ModuleValue, name: str, *, quiet: bool 
         return star
     if name == "__builtins__":
         return machine.unknown(Cause.LIVE, name)
+    if name == "__path__" and module.file.endswith("__init__.py"):
+        return _path_of(machine, module)
     if builtin or machine.library.native(f"builtins.{name}"):
         return Native(f"builtins.{name}")
     if quiet:

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Choice, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Ref, Value
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.python import contents
 from rosward.engine.python.specials import one_has
 from rosward.models.native import Arguments, NativeCall, NativeFunction, perform
 from rosward.models.python.containers.lists import exhaust
-from rosward.models.python.contents import KINDS
+from rosward.models.python.contents import KINDS, text_data
 from rosward.models.python.contents import contents as held_by
 
 if TYPE_CHECKING:
@@ -29,6 +29,10 @@ _NOTHING: Final[frozenset[str]] = frozenset()
 _HELD: Final = frozenset(KINDS.values())
 _TAKE_LOOSE: Final = frozenset({"builtins.dict", "builtins.print", "builtins.zip"})
 """Natives that look at `loose` themselves. Others see it as one more argument, and may give something else than what they give for that."""
+
+_OF_TEXTS: Final = frozenset({"str", "bytes", "re"})
+_ASK_OBJECTS: Final = frozenset({"format", "format_map", "__mod__"})
+"""Methods of texts that ask an object how it is written."""
 
 _RUN_THROUGH: Final = frozenset(
     {
@@ -107,8 +111,10 @@ def _of_each(machine: Engine, native: NativeFunction, call: NativeCall) -> Value
 
 
 def _on_contents(machine: Engine, native: NativeFunction, call: NativeCall) -> Value:
-    """A method of a builtin type, on an object of a subclass, acts on what the object holds."""
+    """A method of a builtin type, on an object of a subclass, acts on what the object holds. Methods of texts take their arguments so, too."""
     kind, _, method = call.name.rpartition(".")
+    if kind in _OF_TEXTS and method not in _ASK_OBJECTS and any(a.__class__ in (Ref, Choice) for a in call.args):
+        call = _with(call, tuple(text_data(machine, arg) for arg in call.args))
     if kind not in _HELD or not call.args:
         return _of_each(machine, native, call)
 

@@ -5,7 +5,8 @@ importlib.import_module('plugs.nav')        plugs.nav
 importlib.import_module(f'plugs.{kind}')    plugs.*, a module in that package
 importlib.import_module(f'{kind}.msg')      *.msg
 importlib.import_module(f'.{kind}', __name__), f'{__name__}.{kind}'    .*, one beside this file
-pkgutil.iter_modules(plugs.__path__)        plugs.*, where the file loads something by name
+pkgutil.iter_modules(plugs.__path__)        plugs.*, where the file loads something by name; .* for the `__path__` of the file itself
+__all__ = ['nav']                           .nav, where the file has no `nav`: `import *` loads it; .* where `__all__` is computed
 importlib.import_module(name)               *, any; but what `name` is given in this file, where it is given nothing else
 """
 
@@ -29,6 +30,7 @@ _OTHERWISE: Final = {
 _WORDS: Final = re.compile(rf"\b(?:{'|'.join(sorted({*_BY_NAME, *_OTHERWISE}))})\b")
 _FIELD: Final = re.compile(r"%(?:\(\w*\))?[a-z]|\{[^{}]*\}")
 _CHANGES: Final = frozenset({"update", "setdefault", "__setitem__"})
+_ADDS: Final = frozenset({"append", "extend", "insert"})
 _NAMED: Final = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
 _OWN: Final = ("__name__", "__package__")
 _LONGEST: Final = 300  # characters
@@ -40,7 +42,7 @@ _MOST_HOLES: Final = 2
 
 def loads(tree: ast.Module, text: str) -> list[str]:
     """The names of modules, as this page's head shows them. `import_module` under another name may load any, as may too many names."""
-    found: dict[str, None] = {}
+    found: dict[str, None] = dict.fromkeys(_listed(tree) if "__all__" in text else ())
     for name in _loads(tree, text):
         found[_short(name)] = None
         if len(found) > _MOST:
@@ -69,10 +71,53 @@ def _loads(tree: ast.Module, text: str) -> Iterator[str]:
             yield from reader.loaded(node)
         elif isinstance(node, ast.Attribute) and node.attr == "__path__":  # what is in a package that is at hand
             yield f"{ast.unparse(node.value)}.{ANY}" if _is_dotted(node.value) else ANY
+        elif isinstance(node, ast.Name) and node.id == "__path__":
+            yield f".{ANY}"
         elif (isinstance(node, ast.alias) and node.asname and node.name in _BY_NAME) or (
             isinstance(node, ast.expr) and node not in called and _word(node) in _BY_NAME | others
         ):
             yield ANY
+
+
+def _listed(tree: ast.Module) -> Iterator[str]:
+    """What `import *` of this file may load: modules in its package that stand in `__all__`."""
+    given: list[ast.expr] = []
+    bound: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Assign, ast.AnnAssign, ast.AugAssign)) and node.value is not None:
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            given += [node.value for target in targets if _word(target) == "__all__"]
+        elif (
+            isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and _word(node.func.value) == "__all__"
+        ):
+            given += node.args if node.func.attr in _ADDS else []
+        elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            bound.add(node.name)
+        elif isinstance(node, ast.alias):
+            bound.add((node.asname or node.name).partition(".")[0])
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            bound.add(node.id)
+    names = [n for value in given for n in _names_in(value)]
+    if ANY in names or len(names) > _MOST:
+        yield f".{ANY}"
+    else:
+        yield from (f".{name}" for name in names if name not in bound)
+
+
+def _names_in(node: ast.expr) -> Iterator[str]:
+    """The names that stand in a value of `__all__`, `*` where it is computed; what another module lists is that one's."""
+    if isinstance(node, (ast.List, ast.Tuple, ast.Set)):
+        for element in node.elts:
+            yield from _names_in(element)
+    elif isinstance(node, ast.BinOp):
+        yield from _names_in(node.left)
+        yield from _names_in(node.right)
+    elif isinstance(node, ast.Starred):
+        yield from _names_in(node.value)
+    elif isinstance(node, ast.Constant):
+        yield from [node.value] if isinstance(node.value, str) and node.value.isidentifier() else []
+    elif _word(node) not in ("__all__", "__name__"):  # `Node.__name__` is something that the file has
+        yield ANY
 
 
 def _word(node: ast.expr) -> str:

@@ -11,7 +11,7 @@ from typing import Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Native
-from rosward.domain.values import Choice, Class, Ref, Value
+from rosward.domain.values import Choice, Class, Const, Ref, Text, Value
 from rosward.models.native import Machine
 
 CONTENTS: Final = "()"
@@ -59,3 +59,13 @@ def plain_data(machine: Machine, value: Value) -> Value:
         return join_all(plain_data(machine, o) for o in options(value))
     found = contents(machine, value)
     return value if found is None or any(o.__class__ is Ref for o in options(found)) else found
+
+
+def text_data(machine: Machine, value: Value) -> Value:
+    """The same, and of a member of an enumeration of texts (`StrEnum`) its text: as what takes texts alone sees them."""
+    if value.__class__ is Choice:
+        return join_all(text_data(machine, o) for o in options(value))
+    payload = machine.obj(value).payload if isinstance(value, Ref) else None
+    if isinstance(payload, Text) or (isinstance(payload, Const) and isinstance(payload.value, str)):
+        return payload
+    return plain_data(machine, value)

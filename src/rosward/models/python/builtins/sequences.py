@@ -210,9 +210,21 @@ def _extreme(call: NativeCall) -> Value:
     keys = list(items.known) if key is None or key == NONE else [machine.call(key, (v,)) for v in items.known]
     ranks = [comparable(machine, k) for k in keys]
     if any(r is NOT_PLAIN for r in ranks):
-        return join_all(items.known)
+        best = _by_comparing(machine, "<" if name == "min" else ">", keys)
+        return join_all(items.known) if best is None else items.known[best]
     chosen = run(_BEST[name], range(len(ranks)), ranks)
     return with_origins(items.known[chosen], origins(*keys))
+
+
+def _by_comparing(machine: Machine, sign: str, keys: list[Value]) -> int | None:
+    """The place of the key that comes first, as the objects themselves compare; None where they do not say surely."""
+    best = 0
+    for number in range(1, len(keys)):
+        before = machine.truth(machine.compare(sign, keys[number], keys[best]))
+        if before is None:
+            return None
+        best = number if before else best
+    return best
 
 
 def _least(numbers: range, ranks: list[Any]) -> int:

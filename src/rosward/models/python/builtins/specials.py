@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The special methods of builtin containers called by name: `super().__getitem__(key)`, `list.__eq__(a, b)`, an operator on a subclass."""
+"""The special methods of builtin classes called by name: `super().__getitem__(key)`, `list.__eq__(a, b)`, an operator on a subclass."""
 
 from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.values import NONE, Ref, Value
+from rosward.domain.values import NONE, Const, Ref, Text, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import bare
 from rosward.models.python.plain import native, unknown_from
@@ -43,6 +43,22 @@ _METHODS: Final = {
     "range": ("__len__", "__contains__", "__getitem__"),
 }
 
+_REFLECTED: Final = {"__radd__": "+", "__rsub__": "-", "__rmul__": "*"}
+_ARITHMETIC: Final = {
+    **{name: sign for name, sign in _BINARY.items() if name in ("__add__", "__sub__", "__mul__")},
+    **_REFLECTED,
+    "__floordiv__": "//",
+    "__mod__": "%",
+    "__truediv__": "/",
+    "__pow__": "**",
+}
+_PLAIN: Final[dict[str, tuple[tuple[str, ...], dict[str, type], type | tuple[type, ...]]]] = {
+    "str": (("__add__", "__mul__", "__rmul__", "__mod__"), {"__mod__": object, "__add__": str}, int),
+    "int": (tuple(_ARITHMETIC), {}, int),
+    "float": (tuple(_ARITHMETIC), {}, (int, float)),
+}
+"""Of what is no container: its methods, and which operands each takes; of others they give NotImplemented."""
+
 
 def _special(call: NativeCall) -> Value:
     """What an object of a class derived from a builtin one holds, where it is not known what it is."""
@@ -70,6 +86,19 @@ def _special(call: NativeCall) -> Value:
     return NONE
 
 
+def _plain(call: NativeCall) -> Value:
+    """An operator of a text or number, called by name: `str.__add__(self, other)`."""
+    machine, (kind, _, name) = call.machine, call.name.rpartition(".")
+    receiver, other = (bare(machine, arg) for arg in call.args[:2])
+    _, special, usual = _PLAIN[kind]
+    taken = special.get(name, usual)
+    fits = taken is object or isinstance(other, Text if taken is str else ())
+    if not fits and not (isinstance(other, Const) and isinstance(other.value, taken)):
+        return unknown_from(machine, call.name, "", *call.args)
+    left, right = (other, receiver) if name in _REFLECTED else (receiver, other)
+    return machine.binary(_ARITHMETIC[name], left, right)
+
+
 def _fill(call: NativeCall) -> Value:
     """`__init__`: a list or set has these elements from now on; a dict gets entries."""
     kind = call.name.partition(".")[0]
@@ -90,4 +119,5 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.contents": native(_contents, 1),
     **{f"{k}.__init__": native(_fill, 1) for k in ("list", "dict", "set")},
     **{f"{k}.{n}": native(_special, _LEAST.get(n, 2)) for k, names in _METHODS.items() for n in names},
+    **{f"{k}.{n}": native(_plain, 2) for k, (names, _, _) in _PLAIN.items() for n in names},
 }

@@ -24,7 +24,7 @@ from rosward.models.python.std.support import class_obj
 WRITTEN_IN: Final = "_rosward_module"
 """Where a class with annotations keeps the module in which it is written."""
 _BUILTINS: Final = frozenset(
-    {"int", "str", "float", "bool", "list", "dict", "set", "tuple", "bytes", "object", "complex", "frozenset"}
+    {"int", "str", "float", "bool", "list", "dict", "set", "tuple", "bytes", "object", "complex", "frozenset", "type"}
 )
 
 
@@ -240,7 +240,9 @@ def _signature(
             kept = machine.obj(value)
         if isinstance(value, (BoundMethod, Class)):
             bound += 1
-            value = value.function if isinstance(value, BoundMethod) else machine.load_attr(value, "__init__")
+            value = value.function if isinstance(value, BoundMethod) else _maker(machine, value)
+            if value == Native("builtins.object"):
+                return [], empty
         elif isinstance(value, Partial):
             bound += len(value.arguments)
             given_words = dict(value.keywords) | given_words
@@ -263,6 +265,20 @@ def _signature(
     kinds += [(n, 3) for n in given.kwonly]
     kinds += [(given.kwarg, 4)] if given.kwarg is not None else []
     return [_Row(n, k, defaults.get(n, empty), notes.get(n, empty)) for n, k in kinds], notes.get("return", empty)
+
+
+def _maker(machine: Machine, cls: Class) -> Value:
+    """What takes the arguments of a call of a class: `__call__` of its metaclass, else the first `__new__` or `__init__`; `object` if none does."""
+    metaclass = machine.call_native("builtins.type", (cls,))
+    for of, names in ((metaclass, ("__call__",)), (cls, ("__new__", "__init__"))):
+        for base in of.mro if isinstance(of, Class) else ():
+            attrs = machine.obj(class_obj(base)).attrs if isinstance(base, Class) else {}
+            if not isinstance(base, Class) and base != Native("builtins.object") and of is cls:
+                return base
+            found = next((attrs[name] for name in names if name in attrs), None)
+            if found is not None:
+                return found.getter if isinstance(found, Descriptor) else found
+    return Native("builtins.object")
 
 
 def _filled(call: NativeCall) -> Value:

@@ -87,9 +87,14 @@ def _own_hook(call: NativeCall, value: Value, name: str) -> Value | None:
 
 _MOST_APART: Final = 3
 """So many copies of one object, in the hands of one call that copies them once more, are told apart."""
+_MOST_PLACED: Final = 100
+"""So many objects that one call copies are told apart. Beyond, copies of copies are one object for each class: where what was copied is
+put into what is copied next, they would grow in number for long."""
 
 
-def _placed(call: NativeCall, obj: Obj, source: int, others: Counter[object] | None = None) -> Ref:
+def _placed(
+    call: NativeCall, obj: Obj, source: int, others: Counter[object] | None = None, *, apart: bool = True
+) -> Ref:
     """A copy of the object at an address. A copy of a copy stands where one of the first object would stand:
 
     self.history.append(deepcopy(self.state)); self.state = deepcopy(self.history[-1])      else each round would make further ones, for ever
@@ -99,7 +104,9 @@ def _placed(call: NativeCall, obj: Obj, source: int, others: Counter[object] | N
     first: dict[object, object] = call.machine.log.remembered
     origin = first.get((_COPY_OF, source), source)
     before = 0 if others is None else others[origin]
-    site = (origin, min(before, _MOST_APART)) if before else origin
+    site: object = (origin, min(before, _MOST_APART)) if before else origin
+    if not apart and origin != source:
+        site = _COPY_OF
     ref = call.machine.allocate(obj, site, counted=False)
     if others is not None:
         others[origin] += 1
@@ -107,8 +114,8 @@ def _placed(call: NativeCall, obj: Obj, source: int, others: Counter[object] | N
     return ref
 
 
-def _again(call: NativeCall, ref: Ref, others: Counter[object] | None = None) -> Ref:
-    made = _placed(call, call.machine.obj(ref).replace(many=False), ref.address, others)
+def _again(call: NativeCall, ref: Ref, others: Counter[object] | None = None, *, apart: bool = True) -> Ref:
+    made = _placed(call, call.machine.obj(ref).replace(many=False), ref.address, others, apart=apart)
     held = contents(call.machine, ref)
     if isinstance(held, Ref):
         copied = call.machine.allocate(
@@ -157,7 +164,7 @@ def _deep(call: NativeCall) -> Value:
         reduced = _reduced(call, value, lambda part: copied(part, depth + 1)) if obj.kind == "instance" else None
         if reduced is not None:
             return reduced
-        ref = made[value.address] = _again(call, value, others)
+        ref = made[value.address] = _again(call, value, others, apart=len(made) < _MOST_PLACED)
         machine.update(
             ref,
             machine.obj(ref).replace(

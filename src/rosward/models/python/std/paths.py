@@ -20,6 +20,7 @@ from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, derived
 from rosward.domain.values import EMPTY, NONE, Const, Hole, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.contents import text_data
 from rosward.models.python.plain import text_of
 from rosward.models.python.std.support import joined_elements, unknown_from
 
@@ -34,6 +35,7 @@ def as_text(call: NativeCall, value: Value) -> Value:
     """The text of a str or of an object with `__fspath__`."""
 
     def one(option: Value) -> Value:
+        option = text_data(call.machine, option)
         if _is_text(option):
             return option
         if isinstance(option, Unknown):

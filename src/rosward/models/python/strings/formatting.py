@@ -192,6 +192,9 @@ def _formatted(machine: Machine, value: Value, spec: Value) -> Value:
         return _unknown_piece(value, known)
     if isinstance(value, Ref) and defines(machine, value, "__format__"):
         return _by_method(machine, value, ("__format__",), spec)
+    held = contents(machine, value) if isinstance(value, Ref) and known else None
+    if held is not None:
+        return spread(lambda one: _formatted(machine, one, spec), held)
     return _piece(machine, value) if not known else unknown_from(machine, "format", "str", value)
 
 

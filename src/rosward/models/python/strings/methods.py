@@ -18,6 +18,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Text, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.any_order import each_order
+from rosward.models.python.contents import text_data
 from rosward.models.python.plain import (
     NOT_PLAIN,
     Raised,
@@ -287,7 +288,7 @@ def _join(call: NativeCall) -> Value:
 
     def put_together(separator: Value, known: tuple[Value, ...], rest: Value | None) -> Value:
         pieces: list[Value] = []
-        for item in known:
+        for item in (text_data(machine, each) for each in known):
             if isinstance(item, Const) and not isinstance(item.value, str):
                 raise Raised(
                     "TypeError", f"sequence item: expected str instance, {item.value.__class__.__name__} found"
