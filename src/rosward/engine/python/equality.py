@@ -30,7 +30,7 @@ from rosward.engine.python.assignment import is_replaced
 from rosward.engine.python.specials import one_has, special
 from rosward.models.interfaces import NO_INTERFACE, is_known_interface, same_interface
 from rosward.models.python.builtins.attributes import is_open
-from rosward.models.python.comparing.equal_objects import compares
+from rosward.models.python.comparing.equal_objects import OF_OBJECT, compares
 from rosward.models.python.comparing.kinds import names_kind
 from rosward.models.python.containers.lists import ITERATOR
 from rosward.models.python.contents import bare, contents
@@ -172,15 +172,15 @@ def _has_ne(machine: Engine, value: Value) -> bool:
 
 
 def _by_identity(machine: Engine, value: Value) -> bool:
-    """A value that surely compares by identity: no `__eq__`, no base or decorator that may give one."""
+    """A value that surely compares by identity: no `__eq__` but that of `object`, no base or decorator that may give one."""
     if value.__class__ is not Ref:
         return value.__class__ in (Class, Function)
     cls = machine.obj(value).cls
-    return (
-        cls.__class__ is Class
-        and not any(b.__class__ is not Class or (b.stub and not _is_enum(b)) for b in cls.mro)
-        and members.lookup(machine, cls, "__eq__") is None
-        and not is_open(machine, cls)
+    if cls.__class__ is not Class or is_open(machine, cls):
+        return False
+    own = members.lookup(machine, cls, "__eq__")
+    return own == OF_OBJECT or (
+        own is None and not any(b.__class__ is not Class or (b.stub and not _is_enum(b)) for b in cls.mro)
     )
 
 

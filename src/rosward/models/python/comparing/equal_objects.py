@@ -13,6 +13,8 @@ from rosward.domain.values import Class, Const, Function, Ref, Value
 from rosward.models.native import Machine
 
 _MEMBERS_COMPARE: Final = Native("enum.member.__eq__")
+OF_OBJECT: Final = Native("object.__eq__")
+"""By which objects are the same or differ."""
 
 
 def member_value(machine: Machine, value: Value, by: str = "__eq__") -> Const | None:
@@ -68,11 +70,15 @@ def has_equality(machine: Machine, cls: Value) -> bool:
     """Whether a class, or one above it, has an `__eq__` in the program, or in a model that says it in Python (`pathlib.Path`).
 
     A named tuple is equal to what holds the same: that is known without asking."""
-    return isinstance(cls, Class) and any(
-        isinstance(own := machine.obj(Ref(b.address)).attrs.get("__eq__"), Function) or (own is not None and not b.stub)
-        for b in cls.mro
-        if isinstance(b, Class) and not _is_row(b)
-    )
+    for base in cls.mro if isinstance(cls, Class) else ():
+        if not isinstance(base, Class) or _is_row(base):
+            continue
+        own = machine.obj(Ref(base.address)).attrs.get("__eq__")
+        if own == OF_OBJECT:
+            return False
+        if isinstance(own, Function) or (own is not None and not base.stub):
+            return True
+    return False
 
 
 def _is_row(cls: Value) -> bool:

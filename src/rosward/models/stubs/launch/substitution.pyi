@@ -10,9 +10,9 @@ from _rosward.launch import perform
 
 
 class Substitution:
-    def __eq__(self, other): return self is other
-    def __ne__(self, other): return self is not other
-    def __hash__(self): return id(self)
+    __eq__ = object.__eq__
+    __ne__ = object.__ne__
+    __hash__ = object.__hash__
     @reads_only
     def describe(self) -> str: ...
     def perform(self, context): return perform(self)
