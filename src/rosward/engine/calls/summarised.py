@@ -79,8 +79,10 @@ def _inside(machine: Engine, summary: Summary, registers: list[Value], merge: Me
     machine.summaries.open += 1
     machine.asked_for |= summary.asked_for
     machine.summaries.wrote |= summary.wrote
-    if summary.catcher is not None:
-        rethrow(machine, summary.catcher)  # what is raised deeper inside reaches the `try` around this call
+    if len(machine.catchers) > summary.handlers:  # what is raised deeper inside reaches the `try` around this call
+        summary.handled = True
+        if summary.catcher is not None:
+            rethrow(machine, summary.catcher)
     if summary.after is None:
         return UNBOUND
     machine.state = summary.after.copy()
@@ -166,8 +168,6 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
     outer, outermost = machine.catchers, not summaries.running
     summaries.running[key] = summary
     summary.edition += 1
-    summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1], merge=merge)
-    machine.catchers = [*outer, summary.catcher]
     context = machine.context("summary", function.code.key)
     ended = _ended(machine)
     asked_for, machine.asked_for = machine.asked_for, summary.asked_for
@@ -178,6 +178,11 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
         for _ in range(machine.budget.fixpoint * 4):
             reads, seen, changes = summaries.provisional, summary.versions, summaries.changes
             summaries.turns += outermost
+            if machine.precision.coarse or summary.handled:  # else whoever is around is told at once
+                summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
+                summary.catcher.merge = merge if summary.handled else join
+                machine.catchers = [*outer, summary.catcher]
+            summary.handlers = len(machine.catchers)
             machine.state, summary.begun = summary.before.copy(), summary.before.done
             value = run_body(machine, function, list(summary.registers), machine.frames[-1], context)
             if value is not UNBOUND:

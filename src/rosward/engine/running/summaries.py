@@ -37,6 +37,8 @@ class Summary:
         "begun",
         "catcher",
         "edition",
+        "handled",
+        "handlers",
         "joined",
         "pages",
         "provisional",
@@ -54,6 +56,8 @@ class Summary:
         self.joined: Heap | None = None  # the heap that `before` was joined with last
         self.after: State | None = None
         self.catcher: Catcher | None = None  # what leaves it by exceptions
+        self.handlers = 0  # how many may catch what its body raises
+        self.handled = False  # there are more around a call of itself
         self.asked_for: set[int] = set()  # the addresses whose records its body read, and its questions
         self.wrote: set[int] = set()  # and those at which it wrote, whether something else stands there now or not
         self.begun = before.done  # what had surely happened before its body ran last
@@ -81,7 +85,7 @@ class Summary:
         """What must not change any more."""
         after = self.after.version if self.after is not None else -1
         raised = self.catcher.versions if self.catcher is not None else ()
-        return (tuple(self.registers), self.before.version, self.value, after, raised)
+        return (tuple(self.registers), self.before.version, self.value, after, raised, self.handled)
 
 
 Used = dict[object, tuple[Summary, int]]
