@@ -42,6 +42,14 @@ _HINTS: Final = {
 """The Python types of primitive fields."""
 _NUMBERS: Final = INTEGERS | FLOATS
 """Sequences of these are no lists in Python: what is assigned to one is copied into it."""
+_ARRAYS: Final = """
+    T all any argmax argmin argpartition argsort astype base buffer_info byteswap choose clip compress conj conjugate ctypes cumprod cumsum
+    data device diagonal dot dtype dump dumps fill flags flat flatten frombytes fromfile fromlist fromunicode getfield imag item itemsize mT
+    max mean min nbytes ndim nonzero partition prod put ravel real repeat reshape resize round searchsorted setfield setflags shape size
+    squeeze std strides sum swapaxes take to_device tobytes tofile tolist tounicode trace transpose typecode var view
+"""
+ARRAY_NAMES: Final = frozenset(_ARRAYS.split())
+"""What arrays of `array` and numpy have, and lists lack: a list that is in a message or parameter is such an array in Python."""
 _DEFAULT: Final = "__DEFAULT"
 _OF_EACH: Final = frozenset({"get_fields_and_field_types", "SLOT_TYPES"})
 """What the class of each message has besides fields and constants."""

@@ -108,6 +108,8 @@ def _of_builtin(machine: Engine, value: Value, name: str) -> Value:
         said = Const(f"'NoneType' object has no attribute '{name}'")
         return machine.die("AttributeError", f"attribute {name} of None", (said,), sure=not value.origins)
     if not machine.library.native(f"{kind}.{name}") and not hasattr(getattr(builtins, kind, value), name):
+        if kind in ("tuple", "bytes") and name in message_fields.ARRAY_NAMES:
+            return machine.unknown(Cause.ERROR, f"no attribute {name} of {kind}")
         return machine.die("AttributeError", f"no attribute {name} of {kind}", sure=True)
     return BoundMethod(value, Native(f"{kind}.{name}"))
 
@@ -178,6 +180,8 @@ def _lacks(machine: Engine, obj: Obj, name: str) -> bool:
     """Whether an object is surely a container of Python's own, which has no such attribute."""
     cls = _CONTAINERS.get(obj.kind)
     if cls is None or obj.payload in (ITERATOR, VIEW) or obj.cls != Native(f"builtins.{obj.kind}"):
+        return False
+    if cls is list and name in message_fields.ARRAY_NAMES:
         return False
     return not hasattr(cls, name) and machine.library.native(f"{obj.kind}.{name}") is None
 

@@ -89,9 +89,8 @@ def import_star(machine: Engine, op: ops.ImportStar, frame: Frame) -> bool:
     names, more = _exported(machine, module)
     taken = {n: attribute(machine, module, n) for n in names}
     for name in more:
-        _import_perhaps(machine, module, name)
+        _import_perhaps(machine, module, name, frame.module)
     record = machine.at(module.address)
-    taken |= {n: record.attrs[n] for n in more if n in record.attrs}
     here = machine.at(frame.module.address)
     attrs = {**here.attrs, **taken}
     theirs = record.attrs.get(_STARS)
@@ -138,11 +137,16 @@ def _may_load_more(machine: Engine, module: ModuleValue) -> bool:
     return bool(names - machine.at(module.address).attrs.keys())
 
 
-def _import_perhaps(machine: Engine, package: ModuleValue, name: str) -> None:
-    """Import a module of a package, or not."""
-    each_apart(
-        machine, (True, False), lambda way: attribute(machine, package, name, importing=True) if way else Const(None)
-    )
+def _import_perhaps(machine: Engine, package: ModuleValue, name: str, importer: ModuleValue) -> None:
+    """Import a module of a package, and give it its name in the one that asks; or not."""
+
+    def way(imported: bool) -> Value:
+        found = attribute(machine, package, name, importing=True) if imported else Const(None)
+        if found.__class__ is ModuleValue:
+            store_global(machine, importer, name, found)
+        return found
+
+    each_apart(machine, (True, False), way)
 
 
 def _also_beyond(machine: Engine, module: ModuleValue) -> tuple[Value, ...]:

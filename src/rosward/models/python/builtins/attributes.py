@@ -14,7 +14,7 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import BoundMethod, Descriptor, Native, Range, Tuple
 from rosward.domain.text import matches
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Text, Value
-from rosward.models.message_fields import has_field
+from rosward.models.message_fields import ARRAY_NAMES, has_field
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.comparing.compare import kind_of
@@ -58,6 +58,8 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
         made_by = getattr(builtins, value.kind, None)
         return _has_by_class(made_by, name) if isinstance(made_by, type) else None
     if isinstance(value, (Const, Text, Tuple, Range, Ref)):
+        if name in ARRAY_NAMES and kind_of(machine, value) in ("list", "tuple", "bytes"):
+            return None
         found = type(None) if value == NONE else getattr(builtins, kind_of(machine, value), None)
         return _has_by_class(found, name) if isinstance(found, type) else None
     return None

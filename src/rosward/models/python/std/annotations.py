@@ -268,7 +268,10 @@ def _signature(
 
 
 def _maker(machine: Machine, cls: Class) -> Value:
-    """What takes the arguments of a call of a class: `__call__` of its metaclass, else the first `__new__` or `__init__`; `object` if none does."""
+    """What takes the arguments of a call of a class: `__call__` of its metaclass, else the first `__new__` or `__init__`; `object` if none does.
+
+    A model that takes any number of them does not say what the library takes: `NamedTuple`.
+    """
     metaclass = machine.call_native("builtins.type", (cls,))
     for of, names in ((metaclass, ("__call__",)), (cls, ("__new__", "__init__"))):
         for base in of.mro if isinstance(of, Class) else ():
@@ -276,8 +279,11 @@ def _maker(machine: Machine, cls: Class) -> Value:
             if not isinstance(base, Class) and base != Native("builtins.object") and of is cls:
                 return base
             found = next((attrs[name] for name in names if name in attrs), None)
-            if found is not None:
-                return found.getter if isinstance(found, Descriptor) else found
+            made = found.getter if isinstance(found, Descriptor) else found
+            if isinstance(base, Class) and base.stub and isinstance(made, Function) and made.code.parameters.vararg:
+                return machine.unknown(Cause.CALL, "inspect.signature")
+            if made is not None:
+                return made
     return Native("builtins.object")
 
 

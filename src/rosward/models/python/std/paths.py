@@ -22,7 +22,8 @@ from rosward.domain.values import EMPTY, NONE, Const, Hole, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import text_data
 from rosward.models.python.plain import text_of
-from rosward.models.python.std.support import joined_elements, unknown_from
+from rosward.models.python.std.support import is_since, joined_elements, unknown_from
+from rosward.ros.distro import Distro
 
 _SLASH: Final = Const("/")
 
@@ -204,8 +205,17 @@ def _join_parts(call: NativeCall) -> Value:
         return unknown_from(call, "str", (parts, known.rest))
     result: Value = EMPTY
     for value in known.known:
-        result = lift2(join_two, result, as_text(call, value))
+        result = lift2(join_two, result, as_text(call, lift(lambda part: _as_part(call, part), value)))
     return lift(normal, result)
+
+
+def _as_part(call: NativeCall, part: Value) -> Value:
+    """Up to Python 3.11, of humble and iron, what is derived from str is in a path as `str` writes it: `Side.LEFT` of a `(str, Enum)`."""
+    text = text_data(call.machine, part)
+    if text is part or not _is_text(text) or (since := is_since(call.machine, Distro.JAZZY)):
+        return part
+    shown = call.machine.call_native("builtins.str", (part,))
+    return shown if since is False else join(text, shown)
 
 
 def _absolute(call: NativeCall) -> Value:
