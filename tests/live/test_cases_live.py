@@ -41,6 +41,7 @@ LEAST: Final = 150
 
 NOT_RUN: Final = {
     "relative_imports: A file of a package that is not wholly there": "its package is not there",
+    "enumerations: Members in paths, up to Python 3.11": "it is about a distribution before that of the rclpy here",
     "loops: Loops that compute much": "runs for longer than a test may",
     "inputs: The content of a file": "reads a file outside of the project",
     "called_from_outside: A plugin of Webots": "Webots alone makes it",
