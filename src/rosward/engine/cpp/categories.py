@@ -119,7 +119,7 @@ def _categories(machine: Engine, args: tuple[Value, ...]) -> list[Category] | No
     written = _written(frame, args)
     if written is None:
         return None
-    return [_category(frame, argued, value) for argued, value in zip(written, args, strict=True)]
+    return [_category(machine, frame, argued, value) for argued, value in zip(written, args, strict=True)]
 
 
 def _written(frame: Frame, args: tuple[Value, ...]) -> tuple[Argued, ...] | None:
@@ -149,7 +149,7 @@ def ways(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]
     written = _written(frame, args)
     if written is None:
         return []
-    found = tuple(_category(frame, argued, value) for argued, value in zip(written, args, strict=True))
+    found = tuple(_category(machine, frame, argued, value) for argued, value in zip(written, args, strict=True))
     making = linked(machine).constructing[-1:]
     is_inside = isinstance(frame.op, InvokeMember) and any(
         f.code.name == cls.name for _, cls in making for f in functions
@@ -171,14 +171,36 @@ def forwards(function: Function, number: int) -> bool:
     return not any(p.type is not None or (p.default is not None and not p.name) for p in signature.template)
 
 
-def _category(frame: Frame, argued: Argued, value: Value) -> Category:
+def _category(machine: Engine, frame: Frame, argued: Argued, value: Value) -> Category:
     if argued.kind == "slot":
         return "lvalue"
     if argued.kind == "constant":
         return "constant"
+    if argued.kind == "forwarded":
+        return _as_given(machine, value)
     if argued.kind == "result" and (isinstance(value, Slot) or (isinstance(value, Ref) and value != frame.handed)):
         return "lvalue"  # of a function that returns a reference
     return "rvalue"
+
+
+def _as_given(machine: Engine, value: Value) -> Category:
+    """What `std::forward<T>(x)` gives: what the argument was to the first of the calls that hand it on."""
+    frames = machine.frames
+    for inner, frame in zip(reversed(frames), reversed(frames[:-1]), strict=False):
+        is_new = value in inner.found or not isinstance(value, (Slot, Ref))
+        given = [each for each in getattr(frame.op, "arguments", None) or () if isinstance(each, Argued)]
+        looked_for = read(machine, value) if is_new else value
+        argued = next((each for each in given if frame.registers[each.register] == looked_for), None)
+        if argued is None or argued.kind == "pack":
+            return "rvalue" if is_new else "lvalue"
+        if argued.kind == "constant":
+            return "constant"
+        if is_new:
+            return "rvalue"
+        if argued.kind != "forwarded":
+            is_lent = argued.kind == "slot" or (argued.kind == "result" and value != frame.handed)
+            return "lvalue" if is_lent else "rvalue"
+    return "lvalue" if isinstance(value, (Slot, Ref)) else "rvalue"
 
 
 def _fits(function: Function, number: int, category: Category) -> int | None:

@@ -122,14 +122,16 @@ def _forwarded(function: Function, score: tuple[int, ...], categories: tuple[Cat
     found = list(score)
     for number, category in enumerate(categories):
         parameter = _parameter(signature, number) if signature is not None else None
-        if parameter is None:
+        if parameter is None or signature is None:
             continue
         if forwards(function, number):
             found[number] = max(found[number], FORWARDED)
-        elif (
-            parameter.type.const and parameter.type.reference and not parameter.type.pointers and category != "constant"
-        ):
-            found[number] = min(found[number], FORWARDED - 1)
+        elif parameter.type.const and parameter.type.reference and not parameter.type.pointers:
+            is_any = len(parameter.type.names) == 1 and parameter.type.names[0] in {p.name for p in signature.template}
+            if category != "constant":
+                found[number] = min(found[number], FORWARDED - 1)
+            elif is_any:  # `const T &` takes what is constant as well as `T &&` does, and is preferred then
+                found[number] = max(found[number], FORWARDED)
     return tuple(found)
 
 
