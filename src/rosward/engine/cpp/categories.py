@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final, Literal, TypeVar
 
 from rosward.domain.slots import Overloads, Slot
-from rosward.domain.values import Function, Ref, Value
+from rosward.domain.values import Choice, Function, Ref, Value
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.running.frame import Frame
 from rosward.ir.core import Binary, Compare
@@ -43,9 +43,11 @@ _AS_CONSTANT: Final = 1
 _EXACT: Final = 2
 
 
-def by_category(machine: Engine, functions: list[Function], args: tuple[Value, ...]) -> list[Function]:
-    """Those of several functions that fit best what the arguments are; all where that is not known."""
-    categories = _categories(machine, args)
+def by_category(
+    machine: Engine, functions: list[Function], args: tuple[Value, ...], known: tuple[Category, ...]
+) -> list[Function]:
+    """Those of several functions that fit best what the arguments are, if that is not known yet; all where it cannot be known."""
+    categories = known or _categories(machine, args)
     if categories is None:
         return functions
     scores = [(f, tuple(_fits(f, n, category) for n, category in enumerate(categories))) for f in functions]
@@ -141,13 +143,21 @@ def _written(frame: Frame, args: tuple[Value, ...]) -> tuple[Argued, ...] | None
 
 def ways(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]) -> list[tuple[Category, ...]]:
     """What the arguments may be, where one of the functions takes whatever is given as what it is (`T &&`): a variable that may be constant,
-    or not, is either; so is what a library makes an object of (`names.push_back(name)`). Nothing where that does not count, or is not known.
+    or not, is either; so is what a library makes an object of (`names.push_back(name)`). What is handed on may be anything where several calls
+    are followed as one. Nothing where that does not count, or is not known.
     """
-    if not machine.frames or not any(forwards(f, n) for f in functions for n in range(len(args))):
+    if not machine.frames:
         return []
     frame = machine.frames[-1]
     written = _written(frame, args)
     if written is None:
+        return []
+    several = [_is_of_several(machine, argued, value) for argued, value in zip(written, args, strict=True)]
+    if any(several):
+        given = [_category(machine, frame, argued, value) for argued, value in zip(written, args, strict=True)]
+        kinds: tuple[Category, ...] = ("lvalue", "constant", "rvalue")
+        return [tuple(kind if s else each for each, s in zip(given, several, strict=True)) for kind in kinds]
+    if not any(forwards(f, n) for f in functions for n in range(len(args))):
         return []
     found = tuple(_category(machine, frame, argued, value) for argued, value in zip(written, args, strict=True))
     making = linked(machine).constructing[-1:]
@@ -181,6 +191,11 @@ def _category(machine: Engine, frame: Frame, argued: Argued, value: Value) -> Ca
     if argued.kind == "result" and (isinstance(value, Slot) or (isinstance(value, Ref) and value != frame.handed)):
         return "lvalue"  # of a function that returns a reference
     return "rvalue"
+
+
+def _is_of_several(machine: Engine, argued: Argued, value: Value) -> bool:
+    """Whether `std::forward<T>(x)` gives what several calls were given, each of which may be of another category."""
+    return argued.kind == "forwarded" and (machine.precision.coarse or isinstance(value, Choice))
 
 
 def _as_given(machine: Engine, value: Value) -> Category:

@@ -82,16 +82,17 @@ def _chosen(
     values = [read(machine, a) for a in args]
     numbers, cast = _numbers(machine, args), cast_to(machine, args)
     scores: list[tuple[Function, tuple[int, ...]]] = []
+    is_any = bool(categories) and any(forwards(f, n) for f in by_number for n in range(len(args)))
     for function in by_number:
         score = _score(machine, function, values, types, numbers, cast)
-        is_enabled = _is_enabled(machine, function, args, types) if score is not None and categories else None
+        is_enabled = _is_enabled(machine, function, args, types) if score is not None and is_any else None
         if score is not None and is_enabled is not False:
             scores.append((function, _forwarded(function, score, categories) if is_enabled else score))
     if not scores:
         return list(by_number)
     left = undominated({s for _, s in scores}, _better)
     best = _enabled(machine, [f for f, s in scores if s in left], args, types)
-    best = by_category(machine, best, args) if len(best) > 1 else best
+    best = by_category(machine, best, args, categories) if len(best) > 1 else best
     if len(set(map(_is_template, best))) > 1:  # one takes a weak pointer, the other anything
         return [f for f in best if not f.code.is_stub] or best
     if any(isinstance(o, Unknown) for v in values for o in options(v)):
