@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final, Literal, TypeVar
 
+from rosward.domain.compound import Tuple
 from rosward.domain.slots import Overloads, Slot
 from rosward.domain.values import Choice, Function, Ref, Value
 from rosward.engine.cpp.linked import Info, linked
@@ -131,14 +132,26 @@ def _written(frame: Frame, args: tuple[Value, ...]) -> tuple[Argued, ...] | None
         written: Sequence[object] = (Argued(op.slot, "slot"), Argued(op.src, op.kind))[-len(args) :]
     else:
         written = frame.initialising or getattr(op, "arguments", None) or ()
-    if not written or len(written) != len(args):
+    spread = _each(frame, written)
+    if not spread or len(spread) != len(args):
         return None
-    found: list[Argued] = []
-    for argued, value in zip(written, args, strict=True):
-        if not isinstance(argued, Argued) or argued.kind == "pack" or frame.registers[argued.register] is not value:
-            return None
-        found.append(argued)
-    return tuple(found)
+    if any(a.kind == "pack" or found is not value for (a, found), value in zip(spread, args, strict=True)):
+        return None
+    return tuple(argued for argued, _ in spread)
+
+
+def _each(frame: Frame, written: Sequence[object]) -> list[tuple[Argued, Value]]:
+    """Arguments and their values, with the items of packs; nothing where one is no argument."""
+    found: list[tuple[Argued, Value]] = []
+    for argued in written:
+        if not isinstance(argued, Argued):
+            return []
+        value = frame.registers[argued.register]
+        if argued.kind == "pack" and isinstance(value, Tuple):
+            found += [(argued._replace(kind=argued.items), item) for item in value.items]
+        else:
+            found.append((argued, value))
+    return found
 
 
 def ways(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]) -> list[tuple[Category, ...]]:
@@ -203,9 +216,9 @@ def _as_given(machine: Engine, value: Value) -> Category:
     frames = machine.frames
     for inner, frame in zip(reversed(frames), reversed(frames[:-1]), strict=False):
         is_new = value in inner.found or not isinstance(value, (Slot, Ref))
-        given = [each for each in getattr(frame.op, "arguments", None) or () if isinstance(each, Argued)]
         looked_for = read(machine, value) if is_new else value
-        argued = next((each for each in given if frame.registers[each.register] == looked_for), None)
+        given = _each(frame, getattr(frame.op, "arguments", None) or ())
+        argued = next((each for each, found in given if found == looked_for), None)
         if argued is None or argued.kind == "pack":
             return "rvalue" if is_new else "lvalue"
         if argued.kind == "constant":
