@@ -15,20 +15,22 @@ if TYPE_CHECKING:
 __all__ = ["Argued", "Default", "Elements", "Invoke", "InvokeMember", "Kind", "MakeLambda", "Placed", "Spread"]
 
 
-Kind = Literal["value", "slot", "result", "constant", "moved", "pack"]
+Kind = Literal["value", "slot", "result", "constant", "moved", "forwarded", "pack"]
 
 
 class Argued(NamedTuple):
     """One argument of a call: of kind 'value' (an rvalue that nobody else has), 'slot' (an lvalue), 'result' (of a call or cast: one or the
-    other), 'constant' (a variable that is so), 'moved' (an lvalue that may be moved from), or 'pack' (a parameter pack, spread here).
-    `number`: the arithmetic type that it has as it is written, other than `int` and `double`; '' where that does not show. `alterable`: it is
-    a variable that is surely not constant.
+    other), 'constant' (a variable that is so), 'moved' (an lvalue that may be moved from), 'forwarded' (what it was for the
+    caller), or 'pack' (a parameter pack, spread here). `number`: the arithmetic type that it has as it is written, other than `int` and `double`; ''
+    where that does not show. `alterable`: it is a variable that is surely not constant. `items`: of what kind the items of a pack
+    are; 'pack' where that is not known.
     """
 
     register: int
     kind: Kind = "value"
     number: str = ""
     alterable: bool = False
+    items: Kind = "pack"
 
 
 @final

@@ -38,7 +38,7 @@ class Printer(Protocol):
         """A line, and a block below it."""
 
 
-_KINDS: Final = {"value": "", "slot": "&", "result": "", "constant": "", "moved": "", "pack": "*"}
+_KINDS: Final = {"value": "", "slot": "&", "result": "", "constant": "", "moved": "", "forwarded": "", "pack": "*"}
 
 
 def _types(p: Printer, types: tuple[int, ...] | None) -> str:

@@ -15,6 +15,7 @@ from rosward.frontends.cpp.captures import with_plain_captures
 from rosward.frontends.cpp.clean import cleaned
 from rosward.frontends.cpp.literals import hidden, shown
 from rosward.frontends.cpp.macros import EITHER
+from rosward.frontends.cpp.suited import suited
 from rosward.frontends.cpp.tokens import tokens
 
 CODE = st.text(alphabet="ab1 \n\t\\\"'/*#(){};,.:<>R_=!&|$é", max_size=200)
@@ -340,3 +341,19 @@ def test_what_stands_open_everywhere_is_read_in_little_time(piece: str) -> None:
     changed, contents = hidden(text)
     assert len(shown(with_plain_captures(changed), contents)) == len(text)
     assert time.process_time() - before < 5
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "struct A { unsigned " + f"a:1=1{' ' * 40}," * 40 + "!",
+        "struct A { unsigned " + " " * 20_000,
+        "; a b : 1, " * 2_000,
+        "a::" * 10_000,
+    ],
+    ids=["aligned", "spaces", "widths", "scopes"],
+)
+def test_bit_fields_that_never_end_are_read_in_little_time(text: str) -> None:
+    before = time.process_time()
+    assert len(suited(text)) == len(text)
+    assert time.process_time() - before < 2

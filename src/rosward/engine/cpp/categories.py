@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final, Literal, TypeVar
 
+from rosward.domain.compound import Tuple
 from rosward.domain.slots import Overloads, Slot
-from rosward.domain.values import Function, Ref, Value
+from rosward.domain.values import Choice, Function, Ref, Value
 from rosward.engine.cpp.linked import Info, linked
 from rosward.engine.running.frame import Frame
 from rosward.ir.core import Binary, Compare
@@ -43,9 +44,11 @@ _AS_CONSTANT: Final = 1
 _EXACT: Final = 2
 
 
-def by_category(machine: Engine, functions: list[Function], args: tuple[Value, ...]) -> list[Function]:
-    """Those of several functions that fit best what the arguments are; all where that is not known."""
-    categories = _categories(machine, args)
+def by_category(
+    machine: Engine, functions: list[Function], args: tuple[Value, ...], known: tuple[Category, ...]
+) -> list[Function]:
+    """Those of several functions that fit best what the arguments are, if that is not known yet; all where it cannot be known."""
+    categories = known or _categories(machine, args)
     if categories is None:
         return functions
     scores = [(f, tuple(_fits(f, n, category) for n, category in enumerate(categories))) for f in functions]
@@ -119,7 +122,7 @@ def _categories(machine: Engine, args: tuple[Value, ...]) -> list[Category] | No
     written = _written(frame, args)
     if written is None:
         return None
-    return [_category(frame, argued, value) for argued, value in zip(written, args, strict=True)]
+    return [_category(machine, frame, argued, value) for argued, value in zip(written, args, strict=True)]
 
 
 def _written(frame: Frame, args: tuple[Value, ...]) -> tuple[Argued, ...] | None:
@@ -129,27 +132,47 @@ def _written(frame: Frame, args: tuple[Value, ...]) -> tuple[Argued, ...] | None
         written: Sequence[object] = (Argued(op.slot, "slot"), Argued(op.src, op.kind))[-len(args) :]
     else:
         written = frame.initialising or getattr(op, "arguments", None) or ()
-    if not written or len(written) != len(args):
+    spread = _each(frame, written)
+    if not spread or len(spread) != len(args):
         return None
-    found: list[Argued] = []
-    for argued, value in zip(written, args, strict=True):
-        if not isinstance(argued, Argued) or argued.kind == "pack" or frame.registers[argued.register] is not value:
-            return None
-        found.append(argued)
-    return tuple(found)
+    if any(a.kind == "pack" or found is not value for (a, found), value in zip(spread, args, strict=True)):
+        return None
+    return tuple(argued for argued, _ in spread)
+
+
+def _each(frame: Frame, written: Sequence[object]) -> list[tuple[Argued, Value]]:
+    """Arguments and their values, with the items of packs; nothing where one is no argument."""
+    found: list[tuple[Argued, Value]] = []
+    for argued in written:
+        if not isinstance(argued, Argued):
+            return []
+        value = frame.registers[argued.register]
+        if argued.kind == "pack" and isinstance(value, Tuple):
+            found += [(argued._replace(kind=argued.items), item) for item in value.items]
+        else:
+            found.append((argued, value))
+    return found
 
 
 def ways(machine: Engine, functions: Sequence[Function], args: tuple[Value, ...]) -> list[tuple[Category, ...]]:
     """What the arguments may be, where one of the functions takes whatever is given as what it is (`T &&`): a variable that may be constant,
-    or not, is either; so is what a library makes an object of (`names.push_back(name)`). Nothing where that does not count, or is not known.
+    or not, is either; so is what a library makes an object of (`names.push_back(name)`). What is handed on may be anything where several calls
+    are followed as one. Nothing where that does not count, or is not known.
     """
-    if not machine.frames or not any(forwards(f, n) for f in functions for n in range(len(args))):
+    if not machine.frames:
         return []
     frame = machine.frames[-1]
     written = _written(frame, args)
     if written is None:
         return []
-    found = tuple(_category(frame, argued, value) for argued, value in zip(written, args, strict=True))
+    several = [_is_of_several(machine, argued, value) for argued, value in zip(written, args, strict=True)]
+    if any(several):
+        given = [_category(machine, frame, argued, value) for argued, value in zip(written, args, strict=True)]
+        kinds: tuple[Category, ...] = ("lvalue", "constant", "rvalue")
+        return [tuple(kind if s else each for each, s in zip(given, several, strict=True)) for kind in kinds]
+    if not any(forwards(f, n) for f in functions for n in range(len(args))):
+        return []
+    found = tuple(_category(machine, frame, argued, value) for argued, value in zip(written, args, strict=True))
     making = linked(machine).constructing[-1:]
     is_inside = isinstance(frame.op, InvokeMember) and any(
         f.code.name == cls.name for _, cls in making for f in functions
@@ -171,14 +194,41 @@ def forwards(function: Function, number: int) -> bool:
     return not any(p.type is not None or (p.default is not None and not p.name) for p in signature.template)
 
 
-def _category(frame: Frame, argued: Argued, value: Value) -> Category:
+def _category(machine: Engine, frame: Frame, argued: Argued, value: Value) -> Category:
     if argued.kind == "slot":
         return "lvalue"
     if argued.kind == "constant":
         return "constant"
+    if argued.kind == "forwarded":
+        return _as_given(machine, value)
     if argued.kind == "result" and (isinstance(value, Slot) or (isinstance(value, Ref) and value != frame.handed)):
         return "lvalue"  # of a function that returns a reference
     return "rvalue"
+
+
+def _is_of_several(machine: Engine, argued: Argued, value: Value) -> bool:
+    """Whether `std::forward<T>(x)` gives what several calls were given, each of which may be of another category."""
+    return argued.kind == "forwarded" and (machine.precision.coarse or isinstance(value, Choice))
+
+
+def _as_given(machine: Engine, value: Value) -> Category:
+    """What `std::forward<T>(x)` gives: what the argument was to the first of the calls that hand it on."""
+    frames = machine.frames
+    for inner, frame in zip(reversed(frames), reversed(frames[:-1]), strict=False):
+        is_new = value in inner.found or not isinstance(value, (Slot, Ref))
+        looked_for = read(machine, value) if is_new else value
+        given = _each(frame, getattr(frame.op, "arguments", None) or ())
+        argued = next((each for each, found in given if found == looked_for), None)
+        if argued is None or argued.kind == "pack":
+            return "rvalue" if is_new else "lvalue"
+        if argued.kind == "constant":
+            return "constant"
+        if is_new:
+            return "rvalue"
+        if argued.kind != "forwarded":
+            is_lent = argued.kind == "slot" or (argued.kind == "result" and value != frame.handed)
+            return "lvalue" if is_lent else "rvalue"
+    return "lvalue" if isinstance(value, (Slot, Ref)) else "rvalue"
 
 
 def _fits(function: Function, number: int, category: Category) -> int | None:

@@ -82,16 +82,17 @@ def _chosen(
     values = [read(machine, a) for a in args]
     numbers, cast = _numbers(machine, args), cast_to(machine, args)
     scores: list[tuple[Function, tuple[int, ...]]] = []
+    is_any = bool(categories) and any(forwards(f, n) for f in by_number for n in range(len(args)))
     for function in by_number:
         score = _score(machine, function, values, types, numbers, cast)
-        is_enabled = _is_enabled(machine, function, args, types) if score is not None and categories else None
+        is_enabled = _is_enabled(machine, function, args, types) if score is not None and is_any else None
         if score is not None and is_enabled is not False:
             scores.append((function, _forwarded(function, score, categories) if is_enabled else score))
     if not scores:
         return list(by_number)
     left = undominated({s for _, s in scores}, _better)
     best = _enabled(machine, [f for f, s in scores if s in left], args, types)
-    best = by_category(machine, best, args) if len(best) > 1 else best
+    best = by_category(machine, best, args, categories) if len(best) > 1 else best
     if len(set(map(_is_template, best))) > 1:  # one takes a weak pointer, the other anything
         return [f for f in best if not f.code.is_stub] or best
     if any(isinstance(o, Unknown) for v in values for o in options(v)):
@@ -122,14 +123,16 @@ def _forwarded(function: Function, score: tuple[int, ...], categories: tuple[Cat
     found = list(score)
     for number, category in enumerate(categories):
         parameter = _parameter(signature, number) if signature is not None else None
-        if parameter is None:
+        if parameter is None or signature is None:
             continue
         if forwards(function, number):
             found[number] = max(found[number], FORWARDED)
-        elif (
-            parameter.type.const and parameter.type.reference and not parameter.type.pointers and category != "constant"
-        ):
-            found[number] = min(found[number], FORWARDED - 1)
+        elif parameter.type.const and parameter.type.reference and not parameter.type.pointers:
+            is_any = len(parameter.type.names) == 1 and parameter.type.names[0] in {p.name for p in signature.template}
+            if category != "constant":
+                found[number] = min(found[number], FORWARDED - 1)
+            elif is_any:  # `const T &` takes what is constant as well as `T &&` does, and is preferred then
+                found[number] = max(found[number], FORWARDED)
     return tuple(found)
 
 

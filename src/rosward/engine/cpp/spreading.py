@@ -86,9 +86,13 @@ def _placed(machine: Engine, op: cpp.Placed, frame: Frame, value: Value, number:
         return Slot(machine.allocate(cell, number), "cell", None)
     key = ("placed", frame.context, frame.code.key, op.number, number)
     if is_running(machine.frames[:-1], frame.code, frame.context):
-        return Slot(Ref(machine.place_at(key, cell)), "cell", None)
-    address = machine.place_key(key)
-    machine.put(address, cell)
-    machine.unheld.discard(address)
-    machine.summaries.fresh.add(address)
-    return Slot(Ref(address), "cell", None)
+        address = machine.place_at(key, cell)
+    else:
+        address = machine.place_key(key)
+        machine.put(address, cell)
+        machine.unheld.discard(address)
+        machine.summaries.fresh.add(address)
+    found = Slot(Ref(address), "cell", None)
+    if op.how == "found":
+        frame.found = (*frame.found, found)
+    return found

@@ -101,7 +101,7 @@ class Frame:
     `op` is the operation that is running.
     `fresh` is what the last call gave by value, so that nobody else has it; `handed` is that of an argument of the call that runs.
     `returned` is what the last call gave by reference, and the function that did.
-    `initialising` are the arguments with which a base or field is made.
+    `found` are the places of what was new when it was given to a reference. `initialising` are the arguments with which a base or field is made.
     `placed` collects the addresses of what an operation makes, where somebody asks for them; `declared` has those of the variables of blocks,
     by the number of the operation that made each last.
     `uncertain` counts the enclosing branches of which it is not known whether they run. Where a generator runs, `yielded` collects what it
@@ -115,6 +115,7 @@ class Frame:
         "context",
         "declared",
         "exits",
+        "found",
         "fresh",
         "handed",
         "initialising",
@@ -148,6 +149,7 @@ class Frame:
         self.uncertain = 0
         self.fresh: Value = UNBOUND
         self.handed: Value = UNBOUND
+        self.found: tuple[Value, ...] = ()
         self.initialising: tuple[Any, ...] = ()
         self.returned: tuple[Value, Function] | None = None
         self.yielded: Yielded | None = None

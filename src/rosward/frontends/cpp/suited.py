@@ -142,9 +142,9 @@ _POINTERS_PACK: Final = re.compile(r"(?<=[(,])(\s*(?:const\s+)?\w+(?:\s+const)?\
 
 _WIDTH: Final = re.compile(r"(\b[A-Za-z_]\w*\s*)(:\s*\w+)(?=\s*[={])")
 _BITS: Final = re.compile(
-    r"(?<=[;{}:])\s*(?:(?!(?:case|class|default|enum|goto|return|struct|union|using)\b)[A-Za-z_](?:\w|::)*\s+){1,4}"
-    r"(?:[A-Za-z_]\w*\s*:\s*\w+\s*(?:=[^=;,{}?]{1,100}|\{[^;{}]{0,100}\})?\s*,){0,16}"
-    r"\s*[A-Za-z_]\w*\s*:\s*\w+\s*(?:=[^=;{}]{1,100}|\{[^;{}]{0,100}\})?\s*(?=;)"
+    r"(?<=[;{}:])(?<!::)\s*(?:(?!(?:case|class|default|enum|goto|return|struct|union|using)\b)[A-Za-z_](?:\w|::)*\s+){1,4}"
+    r"(?:[A-Za-z_]\w*\s*:\s*\w+(?:\s*=[^=;,{}?]{1,100}|\s*\{[^;{}]{0,100}\}\s*|\s*),\s*){0,32}"
+    r"[A-Za-z_]\w*\s*:\s*\w+(?:\s*=[^=;{}]{1,100}|\s*\{[^;{}]{0,100}\}\s*|\s*)(?=;)"
 )
 """Bit-fields of one declaration, with what they begin with: the widths are left out of those, as a bit-field holds what its type holds."""
 _NO_NAME: Final = re.compile(rf"(?<=[;{{}}:])\s*(?:const\s+)?(?:std::)?{_BUILTIN}\s*:\s*\w+\s*(?=;)")

@@ -206,8 +206,8 @@ def _move_all(call: NativeCall) -> Value:
     for each in places(machine, call.args[0], call.args[1]) or ():
         left = place(machine, each)
         held = read(machine, left)
-        if is_sole(held):
-            write(machine, left, given_away(held))
+        if any(map(is_sole, options(held))):
+            write(machine, left, join(given_away(held), NONE))
     return behind
 
 

@@ -243,7 +243,9 @@ class Body:
     def argued(self, node: Node) -> Argued:
         """An argument of a call."""
         if node.type == "parameter_pack_expansion":
-            return Argued(self.expression(node, "slot"), "pack")
+            pattern = node.child_by_field_name("pattern")
+            items = "pack" if pattern is None else kind_of(pattern, None)
+            return Argued(self.expression(node, "slot"), "pack", items=items)
         variable = self.variable(word(node)) if node.type == "identifier" else None
         kind = kind_of(node, variable)
         if variable is not None and kind != "slot":

@@ -68,5 +68,7 @@ def _of_result(node: Node) -> Kind:
 
 def kind_of_call(text: str) -> Kind:
     """The same, by how the function is written."""
+    if text.startswith("std::forward<"):
+        return "forwarded"
     is_cast = text.startswith("static_cast<") and text.rstrip("> ").endswith("&&")
     return "constant" if text == "std::as_const" else "moved" if text == "std::move" or is_cast else "result"
