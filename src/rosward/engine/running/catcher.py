@@ -58,16 +58,10 @@ class Catcher:
     )
 
     def __init__(
-        self,
-        machine: Execution,
-        frame: Frame,
-        *,
-        handles: bool = False,
-        classes: tuple[str, ...] = (),
-        merge: Merge = join,
+        self, machine: Execution, frame: Frame, *, handles: bool = False, classes: tuple[str, ...] = ()
     ) -> None:
         self.frame = frame
-        self.merge = merge  # how states of one exception are joined
+        self.merge: Merge = join  # the states of one exception
         self.handles = handles  # it has `except`, not `finally` or `with` alone
         self.classes = classes  # the names of builtin exceptions that its handlers surely catch
         self.snapshot = Snapshot(frame.registers, machine.state)  # of no meaning before something is noted
