@@ -130,12 +130,15 @@ class Answers:
         outlive = self.languages[code.language].cells_outlive
         if outlive or is_running(self.frames, code, context):
             return [self.place_at(key, Obj("cell", NONE)) for key in keys]
-        cells = [self.place_key(key) for key in keys]
-        for address in cells:
-            self.put(address, Obj("cell", NONE))
-        self.unheld.difference_update(cells)
-        self.summaries.fresh.update(cells)
-        return cells
+        return [self.place_instead(key, Obj("cell", NONE)) for key in keys]
+
+    def place_instead(self: Engine, key: object, obj: Obj) -> int:
+        """Put a new object at the address that belongs to a key, instead of what stood there, which nobody has any more."""
+        address = self.place_key(key)
+        self.put(address, obj)
+        self.unheld.discard(address)
+        self.summaries.fresh.add(address)
+        return address
 
     def is_node(self: Engine, address: int) -> bool:
         """Whether the object at an address is a node."""

@@ -181,6 +181,9 @@ class Engine(Machine, Protocol):
     def place_anew(self, address: int, obj: Obj) -> None:
         """Put a new object at an address, beside those that stand there already."""
 
+    def place_instead(self, key: object, obj: Obj) -> int:
+        """Put a new object at the address that belongs to a key, instead of what stood there, which nobody has any more."""
+
     def new_cells(self, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
 

@@ -85,14 +85,8 @@ def _placed(machine: Engine, op: cpp.Placed, frame: Frame, value: Value, number:
     if op.how == "kept":
         return Slot(machine.allocate(cell, number), "cell", None)
     key = ("placed", frame.context, frame.code.key, op.number, number)
-    if is_running(machine.frames[:-1], frame.code, frame.context):
-        address = machine.place_at(key, cell)
-    else:
-        address = machine.place_key(key)
-        machine.put(address, cell)
-        machine.unheld.discard(address)
-        machine.summaries.fresh.add(address)
-    found = Slot(Ref(address), "cell", None)
+    put = machine.place_at if is_running(machine.frames[:-1], frame.code, frame.context) else machine.place_instead
+    found = Slot(Ref(put(key, cell)), "cell", None)
     if op.how == "found":
         frame.found = (*frame.found, found)
     return found

@@ -56,9 +56,16 @@ _RESULTS: Final = frozenset(f"{each}_expression" for each in ("call", "cast", "c
 
 def kind_of(node: Node, variable: Variable | None) -> Kind:
     """Of what kind an expression is as an argument; the variable that it names, if it is one."""
-    if variable is not None and (variable.constant or variable.buffer) and not variable.raw:
-        return "constant" if variable.constant else "value"
+    if variable is not None and (kind := kind_of_variable(variable)) != "slot":
+        return kind
     return "slot" if is_lvalue(node) else _of_result(node) if node.type in _RESULTS else "value"
+
+
+def kind_of_variable(variable: Variable) -> Kind:
+    """The same of a variable."""
+    if variable.raw or not (variable.constant or variable.buffer):
+        return "slot"
+    return "constant" if variable.constant else "value"
 
 
 def _of_result(node: Node) -> Kind:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.casts import CASTS, Cast, by_value
-from rosward.frontends.cpp.lower.lvalues import kind_of_call
+from rosward.frontends.cpp.lower.lvalues import kind_of_call, kind_of_variable
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import FUNCTIONS, type_of, within
 from rosward.ir.core import Binary
@@ -62,8 +62,8 @@ def meant(body: Body, node: Node) -> Argued:
         return Argued(body.unknown(node, "syntax"))
     if inner is None:
         variable = body.variable(word(type_node))
-        if variable is not None and (variable.constant or variable.buffer) and not variable.raw:
-            return Argued(body.value(type_node), "constant" if variable.constant else "value")
+        if variable is not None and (kind := kind_of_variable(variable)) != "slot":
+            return Argued(body.value(type_node), kind)
         return Argued(body.slot(type_node), "slot", alterable=variable is not None and variable.alterable)
     if inner.type == "abstract_array_declarator":
         return Argued(_element(body, body.slot(type_node), inner), "slot")
