@@ -63,10 +63,15 @@ def said_of(rows: Iterable[Row], sink: str, line: int | None = None, others: Ite
     return Said(data, control - data, trigger - control - data)
 
 
-def said_by(folder: Path, program: str, sink: str) -> Said:
-    """What is said of one sink of a program, which is written into a folder; that the sink is there, is asserted."""
+def rows_of(folder: Path, program: str) -> list[Row]:
+    """All rows of a program, which is written into a folder."""
     file = folder / "robot.py"
     file.write_text(program)
-    said = said_of(reported(file), sink)
+    return reported(file)
+
+
+def said_by(folder: Path, program: str, sink: str) -> Said:
+    """What is said of one sink of a program, which is written into a folder; that the sink is there, is asserted."""
+    said = said_of(rows_of(folder, program), sink)
     assert said is not None
     return said

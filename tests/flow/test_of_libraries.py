@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from sampling import sample
 
-from .reported import reported, said_by, said_of
+from .reported import rows_of, said_by, said_of
 
 HEAD = """
 import rclpy
@@ -314,8 +314,8 @@ def test_what_a_base_class_or_a_callback_brings_is_said(program: str, sink: str,
 
 
 def test_yaml_that_is_a_text_is_in_no_file(tmp_path: Path) -> None:
-    file = tmp_path / "robot.py"
-    file.write_text(
+    rows = rows_of(
+        tmp_path,
         HEAD
         + textwrap.dedent("""
         import yaml
@@ -330,15 +330,14 @@ def test_yaml_that_is_a_text_is_in_no_file(tmp_path: Path) -> None:
 
         rclpy.init()
         rclpy.spin(Robot())
-        """)
+        """),
     )
-    rows = reported(file)
     assert {row.sink for row in rows} == {"log"}
 
 
 def test_a_callback_of_a_pin_runs_where_the_device_says_so(tmp_path: Path) -> None:
-    file = tmp_path / "robot.py"
-    file.write_text(
+    said = said_by(
+        tmp_path,
         HEAD
         + textwrap.dedent("""
         from gpiozero import Button
@@ -357,10 +356,9 @@ def test_a_callback_of_a_pin_runs_where_the_device_says_so(tmp_path: Path) -> No
 
         rclpy.init()
         rclpy.spin(Robot())
-        """)
+        """),
+        "topic:/out",
     )
-    said = said_of(reported(file), "topic:/out")
-    assert said is not None
     assert "device" in said.trigger
 
 
@@ -370,8 +368,8 @@ def test_how_often_diagnostics_are_made_is_not_in_them(tmp_path: Path) -> None:
 
 
 def test_what_is_read_from_a_pin_or_a_port_comes_from_the_device(tmp_path: Path) -> None:
-    file = tmp_path / "robot.py"
-    file.write_text(
+    rows = rows_of(
+        tmp_path,
         HEAD
         + textwrap.dedent("""
         import serial
@@ -396,9 +394,8 @@ def test_what_is_read_from_a_pin_or_a_port_comes_from_the_device(tmp_path: Path)
 
         rclpy.init()
         rclpy.spin(Robot())
-        """)
+        """),
     )
-    rows = reported(file)
     pressed, ahead, waiting, constant = (
         said_of(rows, f"topic:/{name}") for name in ("pressed", "ahead", "waiting", "constant")
     )
@@ -410,8 +407,8 @@ def test_what_is_read_from_a_pin_or_a_port_comes_from_the_device(tmp_path: Path)
 
 
 def test_what_one_of_several_libraries_makes_is_what_either_makes(tmp_path: Path) -> None:
-    file = tmp_path / "robot.py"
-    file.write_text(
+    rows = rows_of(
+        tmp_path,
         HEAD
         + textwrap.dedent("""
         import random
@@ -441,9 +438,8 @@ def test_what_one_of_several_libraries_makes_is_what_either_makes(tmp_path: Path
 
         rclpy.init()
         rclpy.spin(Robot())
-        """)
+        """),
     )
-    rows = reported(file)
     device, network = said_of(rows, "device"), said_of(rows, "network")
     assert device is not None, rows
     assert network is not None, rows
