@@ -293,9 +293,10 @@ def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
                 pending = register
                 continue
             key = constant(seen, pending)
-            mark = mark.under(body.registers[pending].mask)
+            named_by = walker.memory.deep(body.registers[pending])
+            mark = mark.under(named_by)
             if key is None:
-                rest, size = rest.joined(mark), size | mark.mask
+                rest, size = rest.joined(mark), size | named_by
             else:
                 slots[key] = mark if key not in slots else slots[key].joined(mark)
             pending = None
@@ -353,9 +354,8 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
     if op.name in ("append", "set_add"):
         walker.memory.write_any(registers[0].roots, registers[1].under(body.pc), body.pc)
     elif op.name == "dict_set":
-        walker.memory.write_any(
-            registers[0].roots, registers[2].under(body.pc | registers[1].mask), body.pc | registers[1].mask
-        )
+        under = body.pc | walker.memory.deep(registers[1])
+        walker.memory.write_any(registers[0].roots, registers[2].under(under), under)
     elif op.name == "getattr":
         found = walker.memory.read_all(registers[0].roots)
         given = run_callees(walker, op, body, seen)
