@@ -16,7 +16,7 @@ from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees, run_to_the_end
 from rosward.flow.cpp import calls as cpp_calls
 from rosward.flow.marks import HANDLED, NOTHING, Mark, demoted
-from rosward.flow.reading import elements, narrowed, opaque
+from rosward.flow.reading import elements, narrowed, opaque, truth
 from rosward.flow.stored.content import TooLongError
 from rosward.ir import ops
 
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 
 def decides(walker: Walker, mark: Mark) -> int:
-    """What the truth of a value depends on: the value, and how much there is in it."""
-    return demoted(mark.mask | walker.memory.size(mark.roots))
+    """What the truth of a value decides."""
+    return demoted(truth(walker, mark))
 
 
 def _runs(block: ops.Block, body: Body) -> bool:

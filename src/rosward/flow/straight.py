@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
-from rosward.flow import hidden, implicit, library, suspending
+from rosward.flow import computed, hidden, implicit, library, suspending
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees, schedule
 from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
@@ -22,7 +22,7 @@ from rosward.flow.reading import arising, constant, elements, leads, narrowed, o
 from rosward.flow.stored.content import Content
 from rosward.flow.stored.store import MELTED
 from rosward.ir import ops
-from rosward.ir.registers import reads, writes
+from rosward.ir.registers import reads
 
 if TYPE_CHECKING:
     from rosward.engine.running.seen import Seen
@@ -33,39 +33,6 @@ _OF_PARTIAL: Final = frozenset(("args", "keywords"))
 """The attributes of a partial function in which its arguments stand."""
 _SLICE: Final[Root] = ("slice",)
 """What an index leads to that stands for several elements."""
-
-
-def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
-    """Any operation of which nothing else is known: what it writes depends on all that it reads."""
-    mask = body.pc
-    operands = [body.registers[register] for register in walker.sites.reads(op)]
-    for mark in operands:
-        mask |= walker.memory.deep(mark)
-    if walker.implicit:
-        mask |= implicit.given_by(walker, operands)
-    given = run_callees(walker, op, body, seen)
-    roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
-    if given is not None:
-        mask |= implicit.made_of(walker, seen, given).mask
-        roots |= leads(seen, given)
-    for register in writes(op):
-        body.registers[register] = Mark(mask, roots)
-
-
-def _compute(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
-    """Arithmetic and comparisons: of objects of a library (arrays), they give a new one; `+=` may write to the one that is there."""
-    operands = [
-        body.registers[register] for register in walker.sites.reads(op)
-    ]  # one of them may be where the result stands
-    plain(walker, op, body, seen)
-    found = body.registers[op.dst]
-    if getattr(op, "inplace", False):
-        left = operands[0]
-        walker.memory.write_any(left.roots, Mark(found.mask, found.roots - left.roots), found.mask)
-        body.registers[op.dst] = Mark(found.mask, found.roots | left.roots)
-    elif any(opaque(mark) for mark in operands):
-        root = library.expression(walker, body, op, operands)
-        body.registers[op.dst] = Mark(found.mask, found.roots | {root})
 
 
 def _const(_walker: Walker, op: ops.Const, body: Body, _seen: Seen) -> None:
@@ -193,13 +160,6 @@ def _kept(walker: Walker, owner: Mark, name: str, given: Mark) -> None:
         if record is not None and record.kind == "instance" and name in record.attrs:
             old = walker.memory.part(root, name).read(name)
             walker.memory.set_attribute(frozenset((root,)), name, old.joined(given))
-
-
-def _compare(walker: Walker, op: ops.Compare, body: Body, seen: Seen) -> None:
-    """A comparison; of a name, what it says of a parameter that is set is kept for the branch."""
-    _compute(walker, op, body, seen)
-    names = [n for r in (op.left, op.right) if isinstance(n := seen.constant(r), str)]
-    body.tests[op.dst] = names[0] if op.operator == "==" and len(names) == 1 else ""
 
 
 def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> None:
@@ -343,7 +303,7 @@ def _make_function(walker: Walker, op: ops.MakeFunction, body: Body, _seen: Seen
 
 
 def _make_class(walker: Walker, op: ops.MakeClass, body: Body, seen: Seen) -> None:
-    plain(walker, op, body, seen)
+    computed.plain(walker, op, body, seen)
     prepared = run_callees(walker, op, body, seen, ("__prepare__",))
     if prepared is not None:
         attributes(walker.memory, frozenset(seen.refs), prepared, body.pc)
@@ -367,7 +327,7 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
         given = run_callees(walker, op, body, seen)
         body.registers[op.dst] = Mark(mask if given is None else mask | given.mask)
         return
-    plain(walker, op, body, seen)
+    computed.plain(walker, op, body, seen)
     if op.name == "slice":
         body.registers[op.dst] = Mark(body.registers[op.dst].mask, frozenset((_SLICE,)))
 
@@ -384,9 +344,7 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.StoreName: _store_name,
     ops.LoadAttr: _load_attr,
     ops.StoreAttr: _store_attr,
-    ops.Compare: _compare,
-    ops.Binary: _compute,
-    ops.Unary: _compute,
+    **computed.TABLE,
     ops.LoadItem: _load_item,
     ops.StoreItem: _store_item,
     ops.Delete: _delete,
