@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
+from rosward.domain.values import Const
 from rosward.flow import implicit, library
 from rosward.flow.body import Body
 from rosward.flow.calls import run_callees
@@ -67,10 +68,18 @@ def _unary(walker: Walker, op: ops.Unary, body: Body, seen: Seen) -> None:
     body.registers[op.dst] = Mark(body.pc | truth(walker, operand) | (0 if given is None else given.mask))
 
 
+def _is_with_nothing(op: ops.Compare, seen: Seen) -> bool:
+    """`last == None`, `last != nullptr`, where no method of the program says it."""
+    if op.operator not in ("==", "!=") or seen.callees or seen.bound or seen.summaries:
+        return False
+    return any(isinstance(found := seen.keys.get(r), Const) and found.value is None for r in (op.left, op.right))
+
+
 def _compare(walker: Walker, op: ops.Compare, body: Body, seen: Seen) -> None:
     """A comparison; of a name, what it says of a parameter that is set is kept for the branch. Which object something is, is no content of it."""
-    if op.operator in _IDENTITY:
-        body.registers[op.dst] = Mark(body.pc | body.registers[op.left].mask | body.registers[op.right].mask)
+    left, right = body.registers[op.left], body.registers[op.right]
+    if op.operator in _IDENTITY or (_is_with_nothing(op, seen) and not opaque(left) and not opaque(right)):
+        body.registers[op.dst] = Mark(body.pc | left.mask | right.mask)
         return
     _compute(walker, op, body, seen)
     names = [n for r in (op.left, op.right) if isinstance(n := seen.constant(r), str)]

@@ -25,6 +25,11 @@ STORES: Final = frozenset(
 )
 """What they make, or write to, holds what they are given as it is."""
 
+COUNTS: Final = frozenset(
+    ("push_back", "emplace_back", "push_front", "emplace_front", "push", "pop_back", "pop_front", "pop")
+)
+"""There is one element more or less then, whatever it is."""
+
 _QUIET: Final = frozenset(
     (
         *(

@@ -185,7 +185,7 @@ def _naming(op: ops.Op) -> tuple[int, ...]:
     if isinstance(op, (ops.LoadItem, ops.StoreItem)):
         return (op.index,)
     if isinstance(op, ops.Compare):
-        return (op.left, op.right) if op.operator == "==" else ()
+        return (op.left, op.right) if op.operator in ("==", "!=") else ()
     if isinstance(op, ops.Build):
         return tuple([register for _, register in op.items]) if op.kind == "dict" else ()
     return tuple(reads(op))
