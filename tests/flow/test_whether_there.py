@@ -10,7 +10,6 @@ import pytest
 from .reported import Said, reported, said_of
 from .robots import SEND, write
 
-
 CLASSES = """
 import acme
 

@@ -81,6 +81,21 @@ SORTS: Final = frozenset(
 MOVES: Final = SORTS | {"erase", "insert", "emplace", "pop_front", "shuffle", "random_shuffle"}
 """They move the elements of a container about."""
 
+FILLS: Final = frozenset(
+    (
+        *("strcpy", "strncpy", "strcat", "strncat", "sprintf", "snprintf", "vsnprintf", "memcpy", "memmove", "memset"),
+        *("fill", "fill_n", "iota", "generate", "generate_n", "replace", "swap", "swap_ranges"),
+    )
+)
+"""They write to their first argument, of whatever that is a part."""
+COPIES: Final = frozenset(
+    (
+        *("copy", "copy_n", "copy_if", "copy_backward", "move_backward", "reverse_copy", "transform", "partial_sum"),
+        *("sscanf", "swap", "swap_ranges"),
+    )
+)
+"""They write to one of those behind."""
+
 SIZES: Final = frozenset(("size", "empty", "length", "ssize"))
 """What they give depends on how much there is."""
 

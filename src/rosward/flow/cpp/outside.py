@@ -23,7 +23,7 @@ from rosward.flow.cpp.values import (
     under_choice,
     value,
 )
-from rosward.flow.marked_cpp import COUNTS, LOGS, MOVES, READS, SIZES, SORTS, STORES, STREAMS, is_setter
+from rosward.flow.marked_cpp import COPIES, COUNTS, FILLS, LOGS, MOVES, READS, SIZES, SORTS, STORES, STREAMS, is_setter
 from rosward.flow.marks import HANDLED, NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.native import parameters
 from rosward.flow.outside import cleaned, comes_in, out
@@ -78,6 +78,9 @@ def natives(
     if not any(n in _ARRIVING or n in _REGISTERING for n in names):
         _made(walker, seen, written, body.pc | near.mask, done, brought)
     _written(walker, marks, seen, wrote, written, body)
+    for names_of, some in ((FILLS, marks[:1]), (COPIES, marks[1:])):
+        if not names_of.isdisjoint(last):  # a part of something that is not known (`strncpy(request.ifr_name, …)`)
+            walker.memory.write_any(nameless(_all(walker, some)), Mark(written.mask), written.mask)
     if not MOVES.isdisjoint(last):
         _moved(walker, wrote, near if seen.bound or SORTS.isdisjoint(last) else written)
     if own:
