@@ -194,6 +194,16 @@ def attribute(walker: Walker, owners: Iterable[tuple[object, ...]], name: str) -
     return Mark(found, frozenset(roots))
 
 
+def operator(walker: Walker, owner: Mark, method: str, given: Mark, pc: int) -> int:
+    """What marks say of a method of objects of libraries that an operation calls: `shelf[key]`, `shelf[key] = given`."""
+    found = 0
+    for dotted in {d for root in owner.roots if root.__class__ is tuple and (d := name_of(root))}:
+        said = walker.shape.said(f"{dotted}.{method}")
+        if said.sinks or said.sources:
+            found |= perform(walker, f"{dotted}.{method}", walker.memory.deep(given), pc)
+    return found
+
+
 def brought_to(walker: Walker, callback: Value) -> int:
     """What comes in where a base class that nobody knows calls a method of the program, as marks say: `def on_message(self, …)` of a client."""
     function, found = function_behind(callback), 0

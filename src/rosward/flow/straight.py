@@ -188,6 +188,7 @@ def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None
         mask |= walker.memory.size(owner.roots)
     if given is not None:
         mask, roots = mask | given.mask, roots | leads(seen, given)
+    mask |= library.operator(walker, owner, "__getitem__", index, body.pc)
     body.registers[op.dst] = Mark(mask | arising(walker, seen, read=True), roots)
 
 
@@ -198,6 +199,7 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
     given = run_callees(walker, op, body, seen)
     index = index.under(walker.memory.deep(index) | implicit.given_by(walker, (index,)))
     written = value.under(body.pc | demoted(owner.mask) | index.mask)
+    library.operator(walker, owner, "__setitem__", written, body.pc)
     key = constant(seen, op.index)
     if _SLICE in index.roots:
         mask = body.pc | demoted(owner.mask) | index.mask
