@@ -8,7 +8,7 @@ from typing import Final
 
 import pytest
 
-from .reported import Said, said_by
+from .reported import Said, rows_of, said_by
 
 PROGRAM: Final = """
 import asyncio
@@ -17,6 +17,7 @@ import shelve
 import threading
 
 import acme
+import boto3
 import flask
 import rclpy
 from flask import Flask, request
@@ -128,3 +129,10 @@ def test_what_an_unknown_library_gives_later_is_one_object(tmp_path: Path) -> No
         "        self.say(await line.get())"
     )
     assert "topic:/in" in _said(tmp_path, "topic:/out", methods, "asyncio.run(stay(robot))").data
+
+
+def test_an_index_is_no_call(tmp_path: Path) -> None:
+    """Each function of the library sends something; what it has given is only read."""
+    methods = "    def tick(self):\n        found = boto3.client('s3').list_buckets()\n        self.say(found['Buckets'][0]['Name'])"
+    rows = rows_of(tmp_path, PROGRAM.format(methods, ""))
+    assert len({row.line for row in rows if row.sink == "network"}) == 1

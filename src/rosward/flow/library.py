@@ -198,9 +198,9 @@ def operator(walker: Walker, owner: Mark, method: str, given: Mark, pc: int) -> 
     """What marks say of a method of objects of libraries that an operation calls: `shelf[key]`, `shelf[key] = given`."""
     found = 0
     for dotted in {d for root in owner.roots if root.__class__ is tuple and (d := name_of(root))}:
-        said = walker.shape.said(f"{dotted}.{method}")
-        if said.sinks or said.sources:
-            found |= perform(walker, f"{dotted}.{method}", walker.memory.deep(given), pc)
+        name = f"{dotted}.{method}"
+        if walker.shape.tells(name):  # a mark of the whole module is one of its functions
+            found |= perform(walker, name, walker.memory.deep(given), pc)
     return found
 
 
