@@ -176,11 +176,19 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
         walker.memory.set_attribute(owner.roots, op.name, value.under(body.pc | demoted(owner.mask)))
 
 
+def _containers(mark: Mark, seen: Seen) -> frozenset[Root]:
+    """The objects of which an operation takes an element. A tuple, which has no address, leads to its elements, too: these are none."""
+    if seen.untupled or not any(r.__class__ is tuple and r[0] == "tuple" for r in mark.roots):
+        return mark.roots
+    return frozenset(opaque(mark))
+
+
 def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None:
     owner, index = body.registers[op.obj], body.registers[op.index]
     given = run_callees(walker, op, body, seen)
     key = constant(seen, op.index)
-    found = walker.memory.read(owner.roots, key) if key is not None else walker.memory.read_all(owner.roots)
+    held = _containers(owner, seen)
+    found = walker.memory.read(held, key) if key is not None else walker.memory.read_all(held)
     roots = leads(seen, found)
     roots |= frozenset(r for r in owner.roots if not isinstance(r, int) and r[0] != "tuple")  # a view of it
     mask = owner.mask | walker.memory.deep(index) | found.mask | body.pc | implicit.given_by(walker, (index,))
@@ -282,11 +290,12 @@ def _unpack(walker: Walker, op: ops.Unpack, body: Body, seen: Seen) -> None:
     given = run_callees(walker, op, body, seen)
     if given is not None:
         given = implicit.gone_through(walker, given)
+    held = _containers(source, seen)
     for number, register in enumerate(op.dsts):
         if op.star == ops.NO_REGISTER or number < op.star:
-            found = walker.memory.read(source.roots, number)
+            found = walker.memory.read(held, number)
         else:
-            found = walker.memory.read_all(source.roots)
+            found = walker.memory.read_all(held)
         if given is not None:
             found = found.joined(given)
         roots = found.roots if seen.opaque else opaque(found)
