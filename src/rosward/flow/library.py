@@ -61,6 +61,10 @@ def fails(walker: Walker, name: str, mask: int) -> None:
         walker.attempts[-1].mask |= mask
 
 
+OPENING: Final = frozenset(("open", "io.open", "asyncio.create_subprocess_exec", "asyncio.create_subprocess_shell"))
+"""Natives that give a file or a program, of which marks say what its methods do."""
+
+
 def may_be_missing(walker: Walker) -> None:
     """A file is opened, which may not be there."""
     if walker.attempts:
