@@ -16,7 +16,7 @@ from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees, run_to_the_end
 from rosward.flow.cpp import calls as cpp_calls
 from rosward.flow.marks import HANDLED, NOTHING, Mark, demoted
-from rosward.flow.reading import elements, narrowed, opaque
+from rosward.flow.reading import elements, narrowed, opaque, truth
 from rosward.flow.stored.content import TooLongError
 from rosward.ir import ops
 
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 
 def decides(walker: Walker, mark: Mark) -> int:
-    """What the truth of a value depends on: the value, and how much there is in it."""
-    return demoted(mark.mask | walker.memory.size(mark.roots))
+    """What the truth of a value decides."""
+    return demoted(truth(walker, mark))
 
 
 def _runs(block: ops.Block, body: Body) -> bool:
@@ -50,31 +50,33 @@ def branch(walker: Walker, op: ops.If, body: Body, seen: Seen) -> bool:
     then, other = _runs(op.then, body), _runs(op.orelse, body)
     if then != other:
         return walker.run(op.then if then else op.orelse, body)
-    outside, leaves, turns = body.pc, body.leaves, body.turns
+    outside = body.pc
     inside = outside | decides(walker, body.registers[op.test]) | _asked(walker, op, body, seen)
     before = walker.point(body)
     name = body.tests.get(op.test, "")
     about = name in walker.shape.parameters
     if about:
         walker.narrowed.append(name)
-    body.pc = narrowed(walker, inside)
-    after = walker.point(body) if walker.run(op.then, body) else None
+    after, left, gone_on = _side(walker, op.then, body, narrowed(walker, inside))
     if about:
         walker.narrowed.pop()
     walker.go(body, before)
-    body.pc = inside
-    if walker.run(op.orelse, body):
-        after = joined(after, walker.point(body))
-    body.pc = outside | body.left
-    if body.leaves != leaves:  # what follows runs only where it was not left
-        body.left |= inside
-        body.pc |= inside
-    elif body.turns != turns:
-        body.pc |= inside
+    otherwise, left_too, gone_on_too = _side(walker, op.orelse, body, inside)
+    after = joined(after, otherwise)
+    body.left |= left | left_too
+    body.pc = outside | body.left | gone_on | gone_on_too
     if after is None:
         return False
     walker.go(body, after)
     return True
+
+
+def _side(walker: Walker, block: ops.Block, body: Body, pc: int) -> tuple[Point | None, int, int]:
+    """One side of a branch: its end, where control comes there; what decides all that follows, as the function, or the loop, was left in it."""
+    leaves, turns = body.leaves, body.turns
+    body.pc = pc
+    end = walker.point(body) if walker.run(block, body) else None
+    return end, pc if body.leaves != leaves else 0, pc if body.turns != turns else 0
 
 
 def leave(walker: Walker, op: ops.Return, body: Body, _seen: Seen) -> bool:

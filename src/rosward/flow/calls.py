@@ -215,6 +215,8 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         for root in seen.refs:
             memory.place(root, Content())
     construct(walker, op, body, seen, marks)
+    if site.chooses:  # which functions run, and how often
+        pc |= demoted(_deep(walker, marks))
     given, ended = run_to_the_end(walker, op, body, seen, pc)
     if given is not None and site.calls_back and (more := memory.deep(given) & ~_deep(walker, marks)):
         # What one function gave may be handed on to another.

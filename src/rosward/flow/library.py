@@ -61,6 +61,10 @@ def fails(walker: Walker, name: str, mask: int) -> None:
         walker.attempts[-1].mask |= mask
 
 
+OPENING: Final = frozenset(("open", "io.open", "asyncio.create_subprocess_exec", "asyncio.create_subprocess_shell"))
+"""Natives that give a file or a program, of which marks say what its methods do."""
+
+
 def may_be_missing(walker: Walker) -> None:
     """A file is opened, which may not be there."""
     if walker.attempts:
@@ -192,6 +196,16 @@ def attribute(walker: Walker, owners: Iterable[tuple[object, ...]], name: str) -
         for kind in said.sources if said.attribute else ():
             found |= comes_in(walker, kind)
     return Mark(found, frozenset(roots))
+
+
+def operator(walker: Walker, owner: Mark, method: str, given: Mark, pc: int) -> int:
+    """What marks say of a method of objects of libraries that an operation calls: `shelf[key]`, `shelf[key] = given`."""
+    found = 0
+    for dotted in {d for root in owner.roots if root.__class__ is tuple and (d := name_of(root))}:
+        name = f"{dotted}.{method}"
+        if walker.shape.tells(name):  # a mark of the whole module is one of its functions
+            found |= perform(walker, name, walker.memory.deep(given), pc)
+    return found
 
 
 def brought_to(walker: Walker, callback: Value) -> int:

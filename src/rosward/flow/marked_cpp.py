@@ -25,6 +25,11 @@ STORES: Final = frozenset(
 )
 """What they make, or write to, holds what they are given as it is."""
 
+COUNTS: Final = frozenset(
+    ("push_back", "emplace_back", "push_front", "emplace_front", "push", "pop_back", "pop_front", "pop")
+)
+"""There is one element more or less then, whatever it is."""
+
 _QUIET: Final = frozenset(
     (
         *(
@@ -75,6 +80,21 @@ SORTS: Final = frozenset(
 """They move the elements of a container about as these compare."""
 MOVES: Final = SORTS | {"erase", "insert", "emplace", "pop_front", "shuffle", "random_shuffle"}
 """They move the elements of a container about."""
+
+FILLS: Final = frozenset(
+    (
+        *("strcpy", "strncpy", "strcat", "strncat", "sprintf", "snprintf", "vsnprintf", "memcpy", "memmove", "memset"),
+        *("fill", "fill_n", "iota", "generate", "generate_n", "replace", "swap", "swap_ranges"),
+    )
+)
+"""They write to their first argument, of whatever that is a part."""
+COPIES: Final = frozenset(
+    (
+        *("copy", "copy_n", "copy_if", "copy_backward", "move_backward", "reverse_copy", "transform", "partial_sum"),
+        *("sscanf", "swap", "swap_ranges"),
+    )
+)
+"""They write to one of those behind."""
 
 SIZES: Final = frozenset(("size", "empty", "length", "ssize"))
 """What they give depends on how much there is."""

@@ -17,7 +17,7 @@ from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.running.seen import refs_of
 from rosward.engine.unknown.escape import BY_BASE, BY_LIBRARY, BY_PYTHON, BY_WINDOW
-from rosward.flow import blocks, hidden, implicit, library, straight
+from rosward.flow import blocks, computed, hidden, implicit, library, straight
 from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send, sink_of
@@ -71,7 +71,7 @@ class Table(dict[type[ops.Op], Handler]):
     """The handlers by kind of operation; of others it is known what they read and write."""
 
     def __missing__(self, cls: type[ops.Op]) -> Handler:
-        return straight.plain
+        return computed.plain
 
 
 def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:

@@ -79,6 +79,13 @@ def elements(walker: Walker, mark: Mark) -> Mark:
     return found.under(mark.mask)
 
 
+def truth(walker: Walker, mark: Mark) -> int:
+    """What the truth of a value depends on: the value, and how much there is in it. Of an object of a class, its methods say it (`__len__`)."""
+    kind = walker.shape.kind
+    held = [r for r in mark.roots if r.__class__ is not int or kind(r) != "instance"]
+    return mark.mask | walker.memory.size(held) if held else mark.mask
+
+
 _ITERATORS: Final = ("__iter__", "__aiter__")
 
 

@@ -26,13 +26,13 @@ class Site:
 
     `callees`: what is called as it is written; `unknown`: somebody may be called of whom nothing is known. `creates`: it only makes an object
     of a class. `opens`: what it gives is open, and nothing of it is read yet. `spins`: callbacks run meanwhile. `calls_back`: a library runs
-    functions of the program. `waits`: others run meanwhile. `of_library`: somebody may be called of whom at most marks tell. `methods`: what
-    a library calls of objects of the program that are called here.
+    functions of the program, `chooses`: which of them, what it was handed says. `waits`: others run meanwhile. `of_library`: somebody may be
+    called of whom at most marks tell. `methods`: what a library calls of objects of the program that are called here.
     """
 
     __slots__ = (
-        *("callees", "calls_back", "creates", "externals", "methods", "of_library", "opens", "pauses", "spins"),
-        *("unknown", "waits"),
+        *("callees", "calls_back", "chooses", "creates", "externals", "methods", "of_library", "opens", "pauses"),
+        *("spins", "unknown", "waits"),
     )
 
     def __init__(self, op: ops.Call, seen: Seen) -> None:
@@ -47,7 +47,8 @@ class Site:
         self.methods: frozenset[Root] = frozenset(
             ("of", c.address, "__call__") for c in self.callees if isinstance(c, Ref)
         )
-        self.calls_back = bool(seen.calls) and any(map(is_native, self.callees))
+        self.calls_back = bool(seen.calls) and (any(map(is_native, self.callees)) or _runs_others(seen))
+        self.chooses = self.calls_back and any(map(_is_handed, seen.calls.values()))
         self.of_library = self.unknown or any(isinstance(c, External) for c in self.callees)
         self.creates = len(seen.refs) == 1 and all(isinstance(f, Class) for f in functions)
         self.externals: frozenset[Root] = frozenset(map(of_library, seen.externals))
@@ -205,6 +206,22 @@ def callees(functions: Iterable[Value]) -> Iterable[Value]:
                 yield option.getter
             else:
                 yield option
+
+
+def _runs_others(seen: Seen) -> bool:
+    """Whether a function of a model that has no body runs others."""
+    called = {f.code.key: f.code.is_stub for f in callees(seen.functions) if isinstance(f, Function)}
+    return any(called.values()) and any(c.function.code.key not in called for c in seen.calls.values())
+
+
+def _is_handed(called: Called) -> bool:
+    """Whether a function runs because somebody was handed it, not because an object that was handed is of a class that has it (`__len__`)."""
+    name = called.function.code.name
+    return not (name.startswith("__") and name.endswith("__")) or name in _AS_A_FUNCTION
+
+
+_AS_A_FUNCTION: Final = frozenset(("__call__", "__init__", "__exit__", "__aexit__"))
+"""Special methods of objects and classes that are handed as functions are."""
 
 
 def _as_written(op: ops.Call, functions: Iterable[Value]) -> Iterator[Value]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.unknown import Cause
-from rosward.flow import hidden, implicit, library, suspending
+from rosward.flow import computed, hidden, implicit, library, suspending
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees, schedule
 from rosward.flow.marks import FUNCTIONS, NOTHING, Mark, Root, demoted, name_of, of_library
@@ -22,7 +22,7 @@ from rosward.flow.reading import arising, constant, elements, leads, narrowed, o
 from rosward.flow.stored.content import Content
 from rosward.flow.stored.store import MELTED
 from rosward.ir import ops
-from rosward.ir.registers import reads, writes
+from rosward.ir.registers import reads
 
 if TYPE_CHECKING:
     from rosward.engine.running.seen import Seen
@@ -33,39 +33,6 @@ _OF_PARTIAL: Final = frozenset(("args", "keywords"))
 """The attributes of a partial function in which its arguments stand."""
 _SLICE: Final[Root] = ("slice",)
 """What an index leads to that stands for several elements."""
-
-
-def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
-    """Any operation of which nothing else is known: what it writes depends on all that it reads."""
-    mask = body.pc
-    operands = [body.registers[register] for register in walker.sites.reads(op)]
-    for mark in operands:
-        mask |= walker.memory.deep(mark)
-    if walker.implicit:
-        mask |= implicit.given_by(walker, operands)
-    given = run_callees(walker, op, body, seen)
-    roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
-    if given is not None:
-        mask |= implicit.made_of(walker, seen, given).mask
-        roots |= leads(seen, given)
-    for register in writes(op):
-        body.registers[register] = Mark(mask, roots)
-
-
-def _compute(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
-    """Arithmetic and comparisons: of objects of a library (arrays), they give a new one; `+=` may write to the one that is there."""
-    operands = [
-        body.registers[register] for register in walker.sites.reads(op)
-    ]  # one of them may be where the result stands
-    plain(walker, op, body, seen)
-    found = body.registers[op.dst]
-    if getattr(op, "inplace", False):
-        left = operands[0]
-        walker.memory.write_any(left.roots, Mark(found.mask, found.roots - left.roots), found.mask)
-        body.registers[op.dst] = Mark(found.mask, found.roots | left.roots)
-    elif any(opaque(mark) for mark in operands):
-        root = library.expression(walker, body, op, operands)
-        body.registers[op.dst] = Mark(found.mask, found.roots | {root})
 
 
 def _const(_walker: Walker, op: ops.Const, body: Body, _seen: Seen) -> None:
@@ -195,13 +162,6 @@ def _kept(walker: Walker, owner: Mark, name: str, given: Mark) -> None:
             walker.memory.set_attribute(frozenset((root,)), name, old.joined(given))
 
 
-def _compare(walker: Walker, op: ops.Compare, body: Body, seen: Seen) -> None:
-    """A comparison; of a name, what it says of a parameter that is set is kept for the branch."""
-    _compute(walker, op, body, seen)
-    names = [n for r in (op.left, op.right) if isinstance(n := seen.constant(r), str)]
-    body.tests[op.dst] = names[0] if op.operator == "==" and len(names) == 1 else ""
-
-
 def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> None:
     if op.narrowing:
         return
@@ -216,11 +176,19 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
         walker.memory.set_attribute(owner.roots, op.name, value.under(body.pc | demoted(owner.mask)))
 
 
+def _containers(mark: Mark, seen: Seen) -> frozenset[Root]:
+    """The objects of which an operation takes an element. A tuple, which has no address, leads to its elements, too: these are none."""
+    if seen.untupled or not any(r.__class__ is tuple and r[0] == "tuple" for r in mark.roots):
+        return mark.roots
+    return frozenset(opaque(mark))
+
+
 def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None:
     owner, index = body.registers[op.obj], body.registers[op.index]
     given = run_callees(walker, op, body, seen)
     key = constant(seen, op.index)
-    found = walker.memory.read(owner.roots, key) if key is not None else walker.memory.read_all(owner.roots)
+    held = _containers(owner, seen)
+    found = walker.memory.read(held, key) if key is not None else walker.memory.read_all(held)
     roots = leads(seen, found)
     roots |= frozenset(r for r in owner.roots if not isinstance(r, int) and r[0] != "tuple")  # a view of it
     mask = owner.mask | walker.memory.deep(index) | found.mask | body.pc | implicit.given_by(walker, (index,))
@@ -228,6 +196,7 @@ def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None
         mask |= walker.memory.size(owner.roots)
     if given is not None:
         mask, roots = mask | given.mask, roots | leads(seen, given)
+    mask |= library.operator(walker, owner, "__getitem__", index, body.pc)
     body.registers[op.dst] = Mark(mask | arising(walker, seen, read=True), roots)
 
 
@@ -238,6 +207,7 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
     given = run_callees(walker, op, body, seen)
     index = index.under(walker.memory.deep(index) | implicit.given_by(walker, (index,)))
     written = value.under(body.pc | demoted(owner.mask) | index.mask)
+    library.operator(walker, owner, "__setitem__", written, body.pc)
     key = constant(seen, op.index)
     if _SLICE in index.roots:
         mask = body.pc | demoted(owner.mask) | index.mask
@@ -293,9 +263,10 @@ def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
                 pending = register
                 continue
             key = constant(seen, pending)
-            mark = mark.under(body.registers[pending].mask)
+            named_by = walker.memory.deep(body.registers[pending])
+            mark = mark.under(named_by)
             if key is None:
-                rest, size = rest.joined(mark), size | mark.mask
+                rest, size = rest.joined(mark), size | named_by
             else:
                 slots[key] = mark if key not in slots else slots[key].joined(mark)
             pending = None
@@ -319,11 +290,12 @@ def _unpack(walker: Walker, op: ops.Unpack, body: Body, seen: Seen) -> None:
     given = run_callees(walker, op, body, seen)
     if given is not None:
         given = implicit.gone_through(walker, given)
+    held = _containers(source, seen)
     for number, register in enumerate(op.dsts):
         if op.star == ops.NO_REGISTER or number < op.star:
-            found = walker.memory.read(source.roots, number)
+            found = walker.memory.read(held, number)
         else:
-            found = walker.memory.read_all(source.roots)
+            found = walker.memory.read_all(held)
         if given is not None:
             found = found.joined(given)
         roots = found.roots if seen.opaque else opaque(found)
@@ -342,7 +314,7 @@ def _make_function(walker: Walker, op: ops.MakeFunction, body: Body, _seen: Seen
 
 
 def _make_class(walker: Walker, op: ops.MakeClass, body: Body, seen: Seen) -> None:
-    plain(walker, op, body, seen)
+    computed.plain(walker, op, body, seen)
     prepared = run_callees(walker, op, body, seen, ("__prepare__",))
     if prepared is not None:
         attributes(walker.memory, frozenset(seen.refs), prepared, body.pc)
@@ -353,9 +325,8 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
     if op.name in ("append", "set_add"):
         walker.memory.write_any(registers[0].roots, registers[1].under(body.pc), body.pc)
     elif op.name == "dict_set":
-        walker.memory.write_any(
-            registers[0].roots, registers[2].under(body.pc | registers[1].mask), body.pc | registers[1].mask
-        )
+        under = body.pc | walker.memory.deep(registers[1])
+        walker.memory.write_any(registers[0].roots, registers[2].under(under), under)
     elif op.name == "getattr":
         found = walker.memory.read_all(registers[0].roots)
         given = run_callees(walker, op, body, seen)
@@ -367,7 +338,7 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
         given = run_callees(walker, op, body, seen)
         body.registers[op.dst] = Mark(mask if given is None else mask | given.mask)
         return
-    plain(walker, op, body, seen)
+    computed.plain(walker, op, body, seen)
     if op.name == "slice":
         body.registers[op.dst] = Mark(body.registers[op.dst].mask, frozenset((_SLICE,)))
 
@@ -384,9 +355,7 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.StoreName: _store_name,
     ops.LoadAttr: _load_attr,
     ops.StoreAttr: _store_attr,
-    ops.Compare: _compare,
-    ops.Binary: _compute,
-    ops.Unary: _compute,
+    **computed.TABLE,
     ops.LoadItem: _load_item,
     ops.StoreItem: _store_item,
     ops.Delete: _delete,

@@ -13,7 +13,7 @@ from rosward.flow import implicit
 from rosward.flow.body import Body
 from rosward.flow.calls import run_callees
 from rosward.flow.marks import NOTHING, Mark
-from rosward.flow.reading import each_of, elements, leads
+from rosward.flow.reading import each_of, elements, leads, opaque
 from rosward.flow.ways import either
 from rosward.ir import ops
 
@@ -46,8 +46,8 @@ def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
     given = run_callees(walker, op, body, seen)
     awaited = body.registers[op.src]
     given = either(given, each_of(walker, awaited))
-    if given is None:
-        given = Mark(walker.memory.deep(awaited), frozenset(seen.refs))
+    if given is None:  # what a library gives later is known as what it gave now
+        given = Mark(walker.memory.deep(awaited), opaque(awaited) if seen.opaque else frozenset())
     walker.wait()
     body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, leads(seen, given))
 

@@ -168,16 +168,18 @@ def exit_arguments(machine: Engine, exception: Value) -> tuple[Value, Value, Val
 def unwind(machine: Engine, exits: Sequence[Value], exception: Value) -> Value:
     """Call the exits of a stack, the last first, as nested `with` statements would.
 
-    Each is a pair (callable, whether its result is awaited). True where they swallow the exception, False where it goes on.
+    Each is a pair (callable, whether its result is awaited), or one of several; None where there may be none. True where they swallow the
+    exception, False where it goes on.
     """
     states: dict[Value, State] = {exception: machine.state}
-    for pair in reversed(exits):
+    for one_of in reversed(exits):
         found: dict[Value, State] = {}
         for each, state in states.items():
-            machine.state = state
-            for key, value in _one_exit(machine, pair, each):
-                known = found.get(key)
-                found[key] = value if known is None else join_states(known, value, machine.fresh_version)
+            for pair in options(one_of):
+                machine.state = state.copy()
+                for key, value in _one_exit(machine, pair, each) if pair != NONE else [(each, machine.state)]:
+                    known = found.get(key)
+                    found[key] = value if known is None else join_states(known, value, machine.fresh_version)
         states = found
     answers: Value = UNBOUND
     after: State | None = None

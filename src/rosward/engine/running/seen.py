@@ -170,6 +170,7 @@ class Seen:
 
     `refs`: the objects that its results are,
     `parts`: those of each of several; `reasons` and `origins`: those of its results; `several`: it gave more than one value.
+    `untupled`: what it takes an element of, or takes apart, was something else than a tuple.
     `swallows`: a `with` that may swallow an exception. `opaque`: something that nobody knows, and that may change.
     `effects`: the entities that it creates and what it sends, `scheduled`: the callbacks that it registers, each with the context of the turn.
     `alive`: control came out behind it. `callees`: the functions that it ran, `summaries`: those of which it took a summary.
@@ -184,6 +185,7 @@ class Seen:
     written: tuple[object, ...] | None = None  # the last function of the program, with its arguments
     several = False
     swallows = False
+    untupled = False
     opaque = False
     refs: set[Place] = _NO_SET
     cells: set[int] = _NO_SET
@@ -329,7 +331,7 @@ SILENT: Final = frozenset((BoundMethod, Function, Native, Range, Slice))
 """Values of which nothing is noted: they are no object, and hold none as a part."""
 _COMPARED: Final = frozenset((Choice, Tuple))
 """Values that are compared more quickly than looked through."""
-_FLAGS: Final = frozenset(("alive", "several", "swallows", "opaque"))
+_FLAGS: Final = frozenset(("alive", "several", "swallows", "untupled", "opaque"))
 _SETS: Final = frozenset(("refs", "cells", "wrote"))
 _SAID: Final = frozenset(("reasons", "origins"))
 _GATHERED: Final = frozenset(

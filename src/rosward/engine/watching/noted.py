@@ -10,6 +10,7 @@ from types import FunctionType
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.choice import options
+from rosward.domain.compound import Tuple
 from rosward.domain.values import NONE, Const
 from rosward.engine.running.seen import ALIVE, REACHED, SILENT, Activation
 from rosward.ir import cpp, ops
@@ -25,7 +26,7 @@ ActivationOf = Callable[["Engine", "Frame", int], Activation]
 """That of a frame, at its depth."""
 
 CELLED: Final = frozenset({ops.LoadCell, ops.StoreCell, cpp.CellSlot})
-_KEYED: Final = frozenset({ops.Compare, ops.LoadItem, ops.StoreItem, ops.Build, ops.Intrinsic})
+_KEYED: Final = frozenset({ops.Compare, ops.StoreItem, ops.Build, ops.Intrinsic})
 """Operations of which an operand may name a slot."""
 
 
@@ -118,6 +119,8 @@ def _unpacking(handler: Handler, activation_of: ActivationOf) -> Handler:
     def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
         activation = frame.seen or activation_of(machine, frame, len(machine.frames) - 1)
         seen = activation.of(op.number)
+        if frame.registers[op.src].__class__ is not Tuple:
+            seen.untupled = True
         result = handler(machine, op, frame)
         if result is not False:
             seen.give_several([frame.registers[r] for r in op.dsts])
@@ -146,6 +149,8 @@ def _finds(cls: type[ops.Op]) -> Find | None:
         return _function
     if cls in CELLED:
         return _cell
+    if cls is ops.LoadItem:
+        return _item
     return _keys() if cls in _KEYED else None
 
 
@@ -167,6 +172,13 @@ def _cell(seen: Seen, op: ops.LoadCell | ops.StoreCell, frame: Frame) -> None:
     seen.hold("cells", (frame.cells[op.cell],))
 
 
+def _item(seen: Seen, op: ops.LoadItem, frame: Frame) -> None:
+    registers = frame.registers
+    seen.key(op.index, registers[op.index])
+    if registers[op.obj].__class__ is not Tuple:
+        seen.untupled = True
+
+
 def _keys() -> Find:
     known: dict[ops.Op, tuple[int, ...]] = {}
 
@@ -182,10 +194,10 @@ def _keys() -> Find:
 
 def _naming(op: ops.Op) -> tuple[int, ...]:
     """The operands that may name a slot."""
-    if isinstance(op, (ops.LoadItem, ops.StoreItem)):
+    if isinstance(op, ops.StoreItem):
         return (op.index,)
     if isinstance(op, ops.Compare):
-        return (op.left, op.right) if op.operator == "==" else ()
+        return (op.left, op.right) if op.operator in ("==", "!=") else ()
     if isinstance(op, ops.Build):
         return tuple([register for _, register in op.items]) if op.kind == "dict" else ()
     return tuple(reads(op))

@@ -331,7 +331,7 @@ class Watch:
 _STRUCTURED: Final = frozenset(
     {ops.If, ops.While, ops.ForEach, ops.Try, ops.With, ops.Return, ops.Break, ops.Continue, ops.Raise}
 )
-_KEYED_CPP: Final = frozenset({cpp.Invoke, cpp.InvokeMember, cpp.Item, cpp.Construct})
+_KEYED_CPP: Final = frozenset({cpp.Invoke, cpp.InvokeMember, cpp.Item, cpp.Construct, ops.Compare})
 _NOTHING_GIVEN: Final = Given(frozenset(), frozenset(), "none")
 
 

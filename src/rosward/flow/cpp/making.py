@@ -234,8 +234,14 @@ def _either(walker: Walker, mark: Mark) -> Mark:
 
 
 def _end_scope(walker: Walker, op: cpp.EndScope, body: Body, seen: Seen) -> None:
-    if seen.bound:
-        acts(walker, op, body, seen, [body.registers[r] for r in op.variables])
+    """Destructors run; of what a pointer or a container holds, if anything."""
+    if not seen.bound:
+        return
+    marks, held = [body.registers[r] for r in op.variables], 0
+    for mark in marks:
+        found = value(walker, mark)
+        held |= found.mask | walker.memory.size(found.roots)
+    acts(walker, op, body, seen, marks, pc=demoted(held))
 
 
 def _static_local(walker: Walker, op: cpp.StaticLocal, body: Body, seen: Seen) -> None:

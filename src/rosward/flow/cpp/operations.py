@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class
 from rosward.engine.running.seen import Seen, refs_of
-from rosward.flow import straight
+from rosward.flow import computed, straight
 from rosward.flow.body import Body
 from rosward.flow.cpp import making, outside
 from rosward.flow.cpp.acts import acts, is_busy
@@ -146,11 +146,11 @@ def _beside(walker: Walker, owner: Mark, held: Mark, name: str) -> int:
 
 def _item(walker: Walker, op: cpp.Item, body: Body, seen: Seen) -> None:
     owner, index = body.registers[op.obj], body.registers[op.index]
-    held, number = value(walker, owner), value(walker, index)
+    held, named_by = value(walker, owner), walker.memory.deep(value(walker, index))
     given = acts(walker, op, body, seen, [owner, index]) if seen.bound else None
     for address in seen.wrote if given is None else ():  # `map[key]` makes what is not there
-        walker.memory.write_any([address], NOTHING, body.pc | number.mask)
-    found = Mark(held.mask | number.mask | body.pc, nameless(held))
+        walker.memory.write_any([address], NOTHING, body.pc | named_by)
+    found = Mark(held.mask | named_by | body.pc, nameless(held))
     if op.slot:
         if not seen.refs or seen.reasons:
             found = found.joined(Mark(0, slots(owner)))
@@ -334,7 +334,7 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
         for one, two in ((left, other), (right, held)):
             walker.memory.write_any(nameless(one) | slots(one), two.under(mask), mask)
     places = slots(left) if op.operator in ("<<", ",") and seen.reasons else frozenset()  # `matrix << 1, 2`
-    straight.plain(walker, op, body, seen)
+    computed.plain(walker, op, body, seen)
     body.registers[op.dst] = settled(
         walker, body.registers[op.dst].joined(Mark(0, nameless(held) | nameless(other) | places)), seen, body
     )
@@ -343,7 +343,7 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
 def _computed(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     """What is computed: by an operator of a class, too."""
     if not is_busy(seen):
-        (straight.TABLE.get(op.__class__) or straight.plain)(walker, op, body, seen)
+        (straight.TABLE.get(op.__class__) or computed.plain)(walker, op, body, seen)
         return
     marks = [body.registers[r] for r in reads(op)]
     given = acts(walker, op, body, seen, marks, certain=True)

@@ -23,7 +23,7 @@ from rosward.flow.cpp.values import (
     under_choice,
     value,
 )
-from rosward.flow.marked_cpp import LOGS, MOVES, READS, SIZES, SORTS, STORES, STREAMS, is_setter
+from rosward.flow.marked_cpp import COPIES, COUNTS, FILLS, LOGS, MOVES, READS, SIZES, SORTS, STORES, STREAMS, is_setter
 from rosward.flow.marks import HANDLED, NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.native import parameters
 from rosward.flow.outside import cleaned, comes_in, out
@@ -78,6 +78,9 @@ def natives(
     if not any(n in _ARRIVING or n in _REGISTERING for n in names):
         _made(walker, seen, written, body.pc | near.mask, done, brought)
     _written(walker, marks, seen, wrote, written, body)
+    for names_of, some in ((FILLS, marks[:1]), (COPIES, marks[1:])):
+        if not names_of.isdisjoint(last):  # a part of something that is not known (`strncpy(request.ifr_name, …)`)
+            walker.memory.write_any(nameless(_all(walker, some)), Mark(written.mask), written.mask)
     if not MOVES.isdisjoint(last):
         _moved(walker, wrote, near if seen.bound or SORTS.isdisjoint(last) else written)
     if own:
@@ -198,6 +201,7 @@ def _written(walker: Walker, marks: list[Mark], seen: Seen, wrote: set[int], wri
     What is passed of a container is an iterator: what is inserted there, or written from there on, may be any element.
     """
     own = bool(seen.natives) and all(n.startswith("rosward.") for n in seen.natives)
+    counts = bool(seen.natives) and all(n.rpartition(".")[2] in COUNTS for n in seen.natives)
     for address in wrote:
         passed = {r for mark in marks for r in mark.roots if is_slot(r) and slot_of(r)[0] == address}
         if own and not passed:  # what the models note in their own objects is no content
@@ -207,7 +211,7 @@ def _written(walker: Walker, marks: list[Mark], seen: Seen, wrote: set[int], wri
         walker.memory.write_any(
             passed if passed and variable else [address],
             Mark(written.mask, written.roots - {address}),
-            body.pc | written.mask,
+            under_choice(body, marks[0]) if counts and not variable else body.pc | written.mask,
         )
 
 

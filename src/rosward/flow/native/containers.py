@@ -9,16 +9,14 @@ copy.deepcopy(state)         a new object that holds the same; changing it chang
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from rosward.flow import library
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.native import pairs
 from rosward.flow.native.native_call import NativeCall
 from rosward.flow.reading import elements, opaque
 from rosward.flow.stored.content import Content
-
-if TYPE_CHECKING:
-    pass
 
 Handler = Callable[[NativeCall], Mark]
 """What a native gives, and what it writes."""
@@ -44,7 +42,7 @@ def _extend(call: NativeCall) -> Mark:
         found = elements(call.walker, argument).under(call.pc)
         size = call.pc | argument.mask | memory.size(argument.roots)
         if call.name.endswith("dict.update"):
-            size |= _keys(call, argument)
+            size |= pairs.keys(call, argument)
         slots: dict[object, Mark] = {}
         several = [memory.of(root).slots for root in argument.roots]
         for each in several:
@@ -54,6 +52,8 @@ def _extend(call: NativeCall) -> Mark:
         if slots:
             perhaps = {key for key in slots if any(key not in each for each in several)}
             memory.write_each(call.mark(0).roots, slots, perhaps)
+        if call.name.endswith("dict.update"):
+            found = pairs.values(call, argument, found)
         memory.write_any(call.mark(0).roots, found if not _is_keyed(call, argument) else NOTHING, size)
     for given, mark in call.given():
         if given.kind == "keyword":
@@ -77,7 +77,7 @@ def _take(call: NativeCall) -> Mark:
     """An element is taken out."""
     memory, owner = call.walker.memory, call.mark(0)
     found = memory.read_all(owner.roots)
-    memory.take_out(owner.roots, call.pc | call.mark(1).mask)
+    memory.take_out(owner.roots, call.pc | call.named_by(1))
     for each in call.marks[1:]:
         found = found.joined(each)
     return found.under(call.pc | owner.mask | memory.size(owner.roots))
@@ -87,17 +87,17 @@ def _get(call: NativeCall) -> Mark:
     memory, owner = call.walker.memory, call.mark(0)
     key = call.key(1)
     found = memory.read_all(owner.roots) if key is None else memory.read(owner.roots, key)
-    mask = call.pc | owner.mask | call.mark(1).mask
+    mask = call.pc | owner.mask | call.named_by(1)
     if key is None:
         mask |= memory.size(owner.roots)
     return found.joined(call.mark(2)).under(mask)
 
 
 def _set_default(call: NativeCall) -> Mark:
-    memory, owner, written = call.walker.memory, call.mark(0), call.mark(2).under(call.pc | call.mark(1).mask)
-    key = call.key(1)
+    memory, owner, under = call.walker.memory, call.mark(0), call.pc | call.named_by(1)
+    key, written = call.key(1), call.mark(2).under(under)
     if key is None:
-        memory.write_any(owner.roots, written, call.pc | call.mark(1).mask)
+        memory.write_any(owner.roots, written, under)
         return memory.read_all(owner.roots).under(call.pc | owner.mask)
     memory.write(owner.roots, key, written.joined(memory.read(owner.roots, key)))
     return memory.read(owner.roots, key).under(call.pc | owner.mask)
@@ -120,12 +120,18 @@ def _remove(call: NativeCall) -> Mark:
     return Mark(call.pc)
 
 
-def _reorder(call: NativeCall) -> Mark:
-    memory, owner = call.walker.memory, call.mark(0)
-    mask = memory.deep(owner) | call.pc
-    for several in call.walker.bodies_of(call.seen).values():  # `key=`
+def _order(call: NativeCall) -> int:
+    """What the order depends on: all elements, and what `key` makes of them."""
+    memory = call.walker.memory
+    mask = memory.deep(call.mark(0)) | call.pc
+    for several in call.walker.bodies_of(call.seen).values():
         for activation in several:
             mask |= memory.deep(call.walker.results.get(activation, NOTHING))
+    return mask
+
+
+def _reorder(call: NativeCall) -> Mark:
+    memory, owner, mask = call.walker.memory, call.mark(0), _order(call)
     memory.collapse(owner.roots)
     memory.write_any(owner.roots, Mark(mask))
     return Mark(call.pc)
@@ -162,31 +168,20 @@ def _dict(call: NativeCall) -> Mark:
     rest, size = NOTHING, call.pc
     for mark in positional:
         under = mark.mask | call.pc
-        size |= under | memory.size(mark.roots) | _keys(call, mark)
+        size |= under | memory.size(mark.roots) | pairs.keys(call, mark)
         for root in mark.roots:
             content = memory.of(root)
-            rest = rest.joined(content.any).under(content.base | under)
+            held = content.any
             for key, found in content.slots.items():
                 if isinstance(key, str):
                     slots[key] = slots.get(key, NOTHING).joined(found).under(under)
                 else:  # an element of a list of pairs
-                    rest = rest.joined(found)
+                    held = held.joined(found)
+            rest = rest.joined(pairs.values(call, Mark(0, frozenset((root,))), held)).under(content.base | under)
     for argument, mark in call.given():
         if argument.kind == "keyword":
             slots[argument.name] = mark.under(call.pc)
     return call.new(Content(0, rest, size, slots))
-
-
-def _keys(call: NativeCall, mark: Mark) -> int:
-    """What the keys depend on that a list of pairs gives: equal ones count once."""
-    memory, shape, mask = call.walker.memory, call.walker.shape, 0
-    for root in mark.roots:
-        if isinstance(root, int) and shape.kind(root) == "dict":
-            continue
-        for pair in memory.of(root).whole.roots:
-            is_tuple = not isinstance(pair, int) and pair[0] == "tuple"
-            mask |= memory.deep(memory.of(pair).read(0) if is_tuple else Mark(0, frozenset((pair,))))
-    return mask
 
 
 def _deep_copy(call: NativeCall) -> Mark:
@@ -211,12 +206,15 @@ def _all_elements(call: NativeCall) -> Mark:
     for mark in call.marks:
         found = found.joined(elements(call.walker, mark))
         size |= mark.mask | memory.size(mark.roots)
-    if call.name.removeprefix("builtins.") in _CHOOSING:
+    name = call.name.removeprefix("builtins.")
+    if name in _CHOOSING:
         size |= memory.deep(found)
-    pairs = _PAIRS.get(call.name.rpartition(".")[2])
-    if pairs is not None:
+    elif name == "sorted":
+        found = found.under(_order(call))
+    paired = _PAIRS.get(name.rpartition(".")[2])
+    if paired is not None:
         pair: Root = call.walker.shape.made(call.body.activation, call.op.number, "pair", "tuple")
-        content = pairs(call, size)
+        content = paired(call, size)
         memory.place(pair, content)
         return call.new(Content(0, Mark(call.pc, frozenset((pair,))), size))
     return call.new(Content(0, found.under(call.pc), size))

@@ -51,6 +51,10 @@ class NativeCall:
         """Of one argument."""
         return self.marks[number] if number < len(self.marks) else NOTHING
 
+    def named_by(self, number: int) -> int:
+        """What a key or an index depends on, with all that stands in it: `get((msg.data, 1))`."""
+        return self.walker.memory.deep(self.mark(number))
+
     def key(self, number: int) -> object:
         """The constant that one of the marks surely is."""
         if self._keys is not None:

@@ -121,7 +121,7 @@ def _native(call: NativeCall) -> Mark:
     given = library.perform(call.walker, call.name.removeprefix("builtins."), mask, call.pc)
     if done is not None:
         return done(call).under(given)
-    if name in ("open", "io.open"):  # what is done to the file later is told by its name
+    if name in library.OPENING:  # what is done to the file later is told by its name
         library.may_be_missing(call.walker)
         return Mark(mask | given, frozenset((call.walker.shape.made(call.body.activation, call.op.number, name),)))
     return call.computed(mask | given)

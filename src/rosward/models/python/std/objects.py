@@ -218,8 +218,15 @@ def _unwind(call: NativeCall) -> Value:
     """contextlib._unwind(exits, exception): what leaving a stack of context managers does, the last first."""
     exits, exception = call.exactly(2)
     items = call.machine.iterate(exits)
-    known = items.known if items.rest is None else (*items.known, items.rest)
-    return call.machine.unwind(known, exception)
+    if items.rest is None:
+        return call.machine.unwind(items.known, exception)
+    # With an exception on its way, the list is that of all places where one may have been raised: those at its end are taken to be there.
+    further = join(items.rest, NONE) if exception == NONE else items.rest
+    return call.machine.unwind((*items.known, *(further,) * min(len(options(items.rest)), _MOST_EXITS)), exception)
+
+
+_MOST_EXITS: Final = 3
+"""So many of those are called one after another of which nobody knows how many there are."""
 
 
 def _any_of(call: NativeCall) -> Value:
