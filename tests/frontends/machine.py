@@ -358,6 +358,8 @@ class Frame:
             "==": operator.eq,
             "in": lambda item, container: item in container,
             "isinstance": isinstance,
+            "<": operator.lt,
+            ">": operator.gt,
         }
         holds = bool(value) if op.test == "true" else bool(tests[op.test](value, self.get(op.other)))
         assert holds is op.sense, f"line {op.line}: {value!r} {op.test} is not {op.sense}"

@@ -21,7 +21,7 @@ from rosward.engine.running.rest import Rest
 from rosward.engine.throwing import note_turn
 from rosward.ir import ops
 from rosward.location import Place
-from rosward.models.ros import parameter_table
+from rosward.models.ros import parameter_tests
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -41,12 +41,12 @@ def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     frame.uncertain += 1
     try:
         if test.__class__ in _TELLING:
-            parameter_table.tell(machine, test, _asked(op.then), frame.registers, sense=True)
+            parameter_tests.tell(machine, test, _asked(op.then), frame.registers, sense=True)
         first = machine.run(op.then, frame)
         after = Snapshot(frame.registers, machine.state) if first else None
         machine.resume(frame, before)
         if test.__class__ in _TELLING:
-            parameter_table.tell(machine, test, _asked(op.orelse), frame.registers, sense=False)
+            parameter_tests.tell(machine, test, _asked(op.orelse), frame.registers, sense=False)
         second = machine.run(op.orelse, frame)
     finally:
         frame.uncertain -= 1

@@ -13,7 +13,7 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Descriptor, Tuple
 from rosward.domain.enumerated import Enumerated, Whole
 from rosward.domain.text import origins_of
-from rosward.domain.unknown import COMPARED, Cause, Origin, Reason
+from rosward.domain.unknown import COMPARED, Cause, Origin, Origins, Reason
 from rosward.domain.values import Const, Function, Ref, Unknown, Value
 from rosward.ir import ops
 from rosward.models.python.containers.lists import ITERATOR
@@ -58,8 +58,7 @@ def _one(machine: Engine, value: Value, test: str, other: Value | None, sense: b
     if not sense:
         return _another(machine, value) if isinstance(value, Const) else value
     kind = value.value.__class__ if isinstance(value, Const) else str
-    source = origins_of(value)
-    source |= {Origin(COMPARED, o.name, settled=True) for o in source if o.kind == "parameter" and not o.settled}
+    source = compared(value)
     same = [Const(n.value, n.origins | source) for n in named if n.value.__class__ is kind]
     return join_all(same) if len(same) == len(named) else value
 
@@ -102,10 +101,16 @@ def _given(machine: Engine, value: Value, sense: bool) -> Value:
     content = value.value if isinstance(value, Const) else None
     if sense is False and isinstance(content, (bool, int, float)):
         zero = content.of(0) if isinstance(content, (Enumerated, Whole)) else content.__class__()
-        return Const(zero, origins_of(value))
+        return Const(zero, compared(value))
     if content is False:
-        return Const(True, origins_of(value))
+        return Const(True, compared(value))
     return _another(machine, value)
+
+
+def compared(value: Value) -> Origins:
+    """Where a value stems from that a test has told: it is no default any more, whatever else is known of its parameter."""
+    source = origins_of(value)
+    return source | {Origin(COMPARED, o.name, settled=True) for o in source if o.kind == "parameter" and not o.settled}
 
 
 def _another(machine: Engine, value: Value) -> Value:

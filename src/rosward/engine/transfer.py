@@ -17,7 +17,7 @@ from rosward.engine.calls.recalled_loops import recalling
 from rosward.engine.machine import Handler
 from rosward.engine.running.frame import Frame
 from rosward.ir import ops
-from rosward.models.ros import parameter_table
+from rosward.models.ros import parameter_tests
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -38,8 +38,8 @@ def _load_cell(machine: Engine, op: ops.LoadCell, frame: Frame) -> None:
     if found is UNBOUND:
         frame.op, frame.sequence = op, 0
         found = machine.unknown(Cause.ERROR, "variable without a value")
-    elif found.__class__ is Const and found.origins:
-        found = parameter_table.in_place(machine, found)
+    elif found.__class__ is Choice or (found.__class__ is Const and found.origins):
+        found = parameter_tests.in_place(machine, found)
     frame.registers[op.dst] = found
 
 
@@ -53,8 +53,8 @@ def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool | None:
     if op.name in machine.library.creating:
         machine.trace.reached.add((frame.code.key, op.number))
     value = machine.language.load_attr(machine, frame.registers[op.obj], op.name)
-    if value.__class__ is Const and value.origins:
-        value = parameter_table.in_place(machine, value)
+    if value.__class__ is Choice or (value.__class__ is Const and value.origins):
+        value = parameter_tests.in_place(machine, value)
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
@@ -142,7 +142,7 @@ def _assume(machine: Engine, op: ops.Assume, frame: Frame) -> bool | None:
         return DEAD if value.__class__ is Choice else None
     frame.registers[op.dst] = kept
     if kept != value:
-        parameter_table.narrow(machine, value, kept)
+        parameter_tests.narrow(machine, value, kept)
     return None
 
 

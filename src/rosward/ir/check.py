@@ -22,7 +22,7 @@ _WORDS: Final[Mapping[type, tuple[str, frozenset[str]]]] = {
     ops.Unary: ("operator", frozenset({"not", "-", "+", "~"})),
     ops.Binary: ("operator", _BINARY),
     ops.Compare: ("operator", _COMPARE),
-    ops.Assume: ("test", frozenset({"true", "empty", "is", "==", "<", ">", "in", "isinstance"})),
+    ops.Assume: ("test", frozenset({"true", "decided", "empty", "is", "==", "<", ">", "in", "isinstance"})),
     ops.Build: ("kind", frozenset({"list", "tuple", "set", "dict"})),
     ops.Delete: ("kind", frozenset({"local", "cell", "global", "name", "attr", "item"})),
 }

@@ -270,7 +270,7 @@ class Assume(Op):
     """Narrow register src to the values for which `test` holds (where `sense`) or does not; nothing left: the path is dead.
 
     test is 'true' (truthiness), 'empty' (of a text or container), 'is', '==', '<', '>' or 'in' against register `other`, or 'isinstance' with
-    the class in `other`.
+    the class in `other`. Where it is 'decided', src is an operand that decides a `||` or `&&` of C++, and `sense` is its outcome.
     The result is written to dst.
     """
 

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.choice import lift, options
+from rosward.domain.choice import join_all, lift, options
 from rosward.domain.heap import Obj
 from rosward.domain.slots import Slot
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
+from rosward.engine.narrowing import compared
 from rosward.engine.running.frame import Frame
 from rosward.engine.transfer import CORE
 from rosward.ir import cpp, ops
@@ -63,6 +64,9 @@ def _is_empty(machine: Engine, value: Value) -> bool | None:
 def assume(machine: Engine, op: ops.Assume, frame: Frame) -> bool | None:
     """Narrow a value: what is not known and equals a constant is that; an object holds something, or nothing."""
     value = frame.registers[op.src]
+    if op.test == "decided":
+        frame.registers[op.dst] = join_all(_decided(option, op.sense) for option in options(value))
+        return None
     if value is UNBOUND or (value.__class__ is Const and not value.origins):
         frame.registers[op.dst] = value
         return None
@@ -83,6 +87,13 @@ def assume(machine: Engine, op: ops.Assume, frame: Frame) -> bool | None:
         return False
     frame.registers[op.dst] = lift(_set, frame.registers[op.dst]) if NONE in options(value) else frame.registers[op.dst]
     return None
+
+
+def _decided(value: Value, sense: bool) -> Value:
+    """The outcome of `a || b` where `a` decides it: of a default that says otherwise, that is of another value."""
+    if value.__class__ is Const and is_default(value.origins) and bool(value.value) is not sense:
+        return Const(sense, compared(value))
+    return Const(sense)
 
 
 def _set(value: Value) -> Value:

@@ -248,6 +248,8 @@ def unary(machine: Engine, operator: str, value: Value) -> Value:
     if operator == "not":
         decided = truth(machine, value)
         if decided is None:
+            if all(o.__class__ is Const for o in options(value)):  # of a default, it is that of a default
+                return operators.unary(machine, operator, value)
             return machine.unknown(Cause.OPERATION, "not", "bool")
         return FALSE if decided else TRUE
     name = f"__{_UNARY[operator]}__"
@@ -325,12 +327,10 @@ def _may(machine: Engine, value: Value, test: str, other: Value | None, sense: b
         answer = machine.is_instance(value, other) if other is not None else None
     elif other is None or (test == "in" and any(_is_taken_from(machine, o) for o in options(other))):
         answer = None
+    elif value.__class__ is Const and other.__class__ is Const and test in ("is", "=="):
+        answer = _equal_constants(value, other)
     else:
-        operator = {"is": "is", "==": "==", "in": "in"}[test]
-        if value.__class__ is Const and other.__class__ is Const and operator != "in":
-            answer = _equal_constants(value, other)
-        else:
-            answer = truth(machine, compare(machine, operator, value, other))
+        answer = truth(machine, compare(machine, test, value, other))
     return answer is None or answer is sense
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join, options
 from rosward.domain.compound import Slice
 from rosward.domain.heap import Obj
-from rosward.domain.values import FALSE, NONE, UNBOUND, Const, Value
+from rosward.domain.values import FALSE, NONE, UNBOUND, Choice, Const, Value
 from rosward.engine.calls.alternatives import each_apart
 from rosward.engine.calls.recalled_loops import recalling
 from rosward.engine.machine import Handler
@@ -32,6 +32,7 @@ from rosward.engine.running.frame import Frame
 from rosward.ir import ops
 from rosward.models.python.strings.formatting import joined
 from rosward.models.python.strings.methods import format_value
+from rosward.models.ros import parameter_tests
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -47,6 +48,8 @@ def _load_global(machine: Engine, op: ops.LoadGlobal, frame: Frame) -> None:
         found = modules.load_global(machine, frame.module, op.name)
     elif op.name in record.partial and hasattr(builtins, op.name):
         found = join(found, modules.load_global(machine, frame.module, op.name))
+    if found.__class__ is Choice or (found.__class__ is Const and found.origins):
+        found = parameter_tests.in_place(machine, found)
     frame.registers[op.dst] = found
 
 

@@ -56,6 +56,13 @@ _TESTS: Final[Mapping[str, tuple[str, bool]]] = {
     "in": ("in", True),
     "not-in": ("in", False),
 }
+_ORDER: Final[Mapping[str, tuple[str, bool]]] = {
+    "<": ("<", True),
+    ">=": ("<", False),
+    ">": (">", True),
+    "<=": (">", False),
+}
+_MIRRORED: Final[Mapping[str, str]] = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 NESTED_AT_MOST: Final = 32
 """So many operands of `and` or `or` become nested branches; more of them stand one after the other, not too deep."""
@@ -257,12 +264,25 @@ def compare(body: Body, node: ast.Compare) -> Outcome:
 def _comparison_facts(
     node: ast.Compare, sign: str, left: tuple[int, Subject | None], right: tuple[int, Subject | None]
 ) -> tuple[Facts, Facts]:
-    if sign not in _TESTS:
-        return [], []
+    if sign in _ORDER:
+        return _order_facts(node, sign, left, right)
     test, sense = _TESTS[sign]
     if isinstance(node.left, ast.Constant) and test != "in":
         return _both(right[1], test, left[0], sense)
     return _both(left[1], test, right[0], sense)
+
+
+def _order_facts(
+    node: ast.Compare, sign: str, left: tuple[int, Subject | None], right: tuple[int, Subject | None]
+) -> tuple[Facts, Facts]:
+    """What `count > 3` tells of `count`. Of two variables it tells nothing: numeric code is full of such."""
+    if isinstance(node.comparators[0], ast.Constant):
+        test, sense = _ORDER[sign]
+        return _both(left[1], test, right[0], sense)
+    if isinstance(node.left, ast.Constant):
+        test, sense = _ORDER[_MIRRORED[sign]]
+        return _both(right[1], test, left[0], sense)
+    return [], []
 
 
 def _both(subject: Subject | None, test: str, other: int, sense: bool) -> tuple[Facts, Facts]:

@@ -15,7 +15,8 @@ from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import plain_data
 from rosward.models.ros.callbacks import callback_name
 from rosward.models.ros.given_words import context_lines, lines_of
-from rosward.models.ros.parameter_table import in_place, new_table
+from rosward.models.ros.parameter_table import new_table
+from rosward.models.ros.parameter_tests import in_place
 from rosward.models.ros.qos import qos_of
 
 if TYPE_CHECKING:

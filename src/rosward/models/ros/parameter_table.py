@@ -11,17 +11,16 @@ their own: what is declared as `*.depth` is not what stands under `*.topic`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
-from rosward.domain.choice import join, join_all, options, reasons_of
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of, readable
-from rosward.domain.unknown import COMPARED, OTHERS, OUTSIDE, Cause, Origin, Reason
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
+from rosward.domain.unknown import OUTSIDE, Cause, Origin, Reason
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Hole, Ref, Text, Unknown, Value
 from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
 from rosward.models.python.comparing.compare import equal
@@ -33,7 +32,8 @@ if TYPE_CHECKING:
 
 _TABLE: Final = "__parameters__"
 _PATTERNS: Final = "__parameter_patterns__"
-_EXCLUDED: Final = "__excluded_defaults__"
+EXCLUDED: Final = "__excluded_defaults__"
+"""The parameters of which a test says that they do not have their default."""
 _MOST_PATTERNS: Final = 100
 _ANYTHING: Final = Hole(())
 UNDECLARED: Final = "__undeclared__"
@@ -172,116 +172,21 @@ def _is_outside(reason: Reason) -> bool:
     return reason.cause is Cause.PARAMETER and reason.subject == OUTSIDE
 
 
-def narrow(machine: Machine, before: Value, after: Value) -> None:
-    """The value that was read of a parameter turned out to be another one: so it is where it is read again.
-
-    The origin of a default names its parameter, not the node: where two nodes have such a one, it is not known whose was read.
-    """
-    labels = {o.name for option in options(before) for o in origins_of(option) if o.kind == "parameter"}
-    if len(labels) != 1:
-        return
-    key = Const(labels.pop())
-    held = [table for table in _tables(machine) if machine.obj(table).entries.get(key) == before]
-    if len(held) == 1:
-        _put_entry(machine, held[0], key, after)
-
-
-def _exclude(machine: Machine, test: Value, asked: Sequence[int], registers: list[Value], *, sense: bool) -> None:
-    """A test that was computed of a default comes out otherwise than with it: somebody gives the parameter another value there.
-
-    `if len(topic) > 0:` of a topic that is '' by default. What is asked directly is narrowed where it stands.
-    """
-    labels = {_open_parameter(o) if bool(o.value) is not sense else None for o in options(test) if isinstance(o, Const)}
-    label = labels.pop() if len(labels) == 1 else None
-    if label is None:
-        return
-    key = Const(label)
-    held = [(table, found) for table in _tables(machine) if (found := machine.obj(table).entries.get(key)) is not None]
-    if len(held) > 1:
-        return  # of which node it was read is not known
-    values = [registers[number] for number in asked]
-    for number, value in enumerate(registers):  # what was read of it, and elements of a list that it is
-        if (value.__class__ is Const or value.__class__ is Choice) and number not in asked:
-            registers[number] = _without_default(machine, value, label)
-    if isinstance(test, Const) and len(held) == 1 and held[0][1] not in values:
-        left = _without_default(machine, held[0][1], label)
-        if left is not held[0][1]:
-            _put_entry(machine, held[0][0], key, left)
-        elif isinstance(left, Ref):
-            for excluded in _tables(machine, _EXCLUDED):
-                dicts.store(machine, excluded, key, TRUE)
-
-
-def _without_default(machine: Machine, value: Value, label: str) -> Value:
-    """A value where the parameter is not what it is by default: what was a text because of that is another one."""
-    found = options(value)
-    kept = [o for o in found if not (isinstance(o, Const) and isinstance(o.value, str) and _open_parameter(o) == label)]
-    if len(kept) == len(found):
-        return value
-    told = any(_is_excluded(o) and any(r.subject == label for r in reasons_of(o)) for o in kept)
-    return join_all(kept if told else (*kept, _another(machine, label)))
-
-
-def in_place(machine: Machine, value: Value) -> Value:
-    """A value where what it was computed of is no longer the default of its parameter, as a test found out."""
-    label = _open_parameter(value)
-    if label is None:
-        return value
-    held = _held_once(machine, Const(label))
-    if isinstance(held, Ref):  # what is in a list stays; of which one a test says something is not asked
-        return _without_default(machine, value, label) if _is_surely_excluded(machine, label) else value
-    return held if held is not None and _is_excluded(held) else value
-
-
-def _held_once(machine: Machine, key: Const) -> Value | None:
-    """What the one table that has a parameter says of it; None where several have it. Asked at each read of a default, of many nodes, too."""
-    where, found = None, None
-    for effect in machine.nodes_at(None):
-        table = table_of(machine, Ref(effect.address))
-        value = None if table is None or table == where else machine.obj(table).entries.get(key)
-        if value is None:
-            continue
-        if found is not None:
-            return None
-        where, found = table, value
-    return found
-
-
-def _is_surely_excluded(machine: Machine, label: str) -> bool:
-    found = [machine.obj(table) for table in _tables(machine, _EXCLUDED)]
-    return any(Const(label) in each.entries and Const(label) not in each.maybe for each in found)
-
-
-def _is_excluded(value: Value | None) -> bool:
-    """Whether a parameter has what somebody gives in place of its default."""
-    return isinstance(value, Unknown) and bool(value.reasons) and all(r.cause in OTHERS for r in value.reasons)
-
-
-def _open_parameter(value: Value) -> str | None:
-    """The one parameter of whose default a known value was computed, where nothing else decides it."""
-    if not isinstance(value, Const) or any(o.kind == COMPARED for o in value.origins):
-        return None
-    open_ = [o for o in value.origins if not o.settled]
-    return open_[0].name if len(open_) == 1 and open_[0].kind == "parameter" else None
-
-
-def _another(machine: Machine, label: str) -> Value:
-    return Unknown((Reason(Cause.OTHER, label, machine.place),), "str")
-
-
-def _tables(machine: Machine, which: str = _TABLE) -> list[Ref]:
+def tables(machine: Machine, which: str = _TABLE) -> list[Ref]:
     """The tables of all nodes, as far as each is of one node alone."""
     nodes = dict.fromkeys(Ref(effect.address) for effect in machine.nodes_at(None))
     return list(dict.fromkeys(table for node in nodes if (table := table_of(machine, node, which)) is not None))
 
 
-def _put_entry(machine: Machine, table: Ref, key: Const, value: Value) -> None:
+def put_entry(machine: Machine, table: Ref, key: Const, value: Value) -> None:
+    """A parameter has this value from here on, in the table of a node, where that is no more than one."""
     record = machine.obj(table)
     if not record.many:
         machine.update(table, record.replace(entries={**record.entries, key: value}))
 
 
-_HAS: Final = "parameter that is there, of "
+HAS: Final = "parameter that is there, of "
+"""The kind of the origin of an answer: that a parameter is there, of the node at this address."""
 
 
 def may_have(machine: Machine, node: Value, label: str) -> Value:
@@ -295,29 +200,7 @@ def may_have(machine: Machine, node: Value, label: str) -> Value:
     value = None if table is None or key in machine.obj(table).entries else value_of(machine, node, key)
     if value is not None:
         put(machine, node, key, value, sure=False)
-    return join_all((Const(True, frozenset((Origin(f"{_HAS}{node.address}", label),))), FALSE))
-
-
-def tell(machine: Machine, test: Value, asked: Sequence[int], registers: list[Value], *, sense: bool) -> None:
-    """A test came out as `sense`: what that says about parameters holds from here on. `asked`: the registers that it asks about."""
-    if isinstance(test, Choice):
-        _follow(machine, test, sense=sense)
-    if not isinstance(test, Const) or test.origins:
-        _exclude(machine, test, asked, registers, sense=sense)
-
-
-def _follow(machine: Machine, value: Value, *, sense: bool) -> None:
-    """What the alternatives of a test say that are so, of which parameters are there."""
-    kept = [o for o in options(value) if isinstance(o, Const) and bool(o.value) is sense]
-    found = [o for option in kept for o in origins_of(option) if o.kind.startswith(_HAS)]
-    if len(found) != 1 or len(kept) != 1:
-        return
-    node, key = Ref(int(found[0].kind.removeprefix(_HAS))), Const(found[0].name)
-    table = table_of(machine, node)
-    if table is not None and not machine.obj(node).many and not machine.obj(table).many:
-        record = machine.obj(table)
-        if key in record.maybe:
-            machine.update(table, record.replace(maybe=record.maybe - {key}))
+    return join_all((Const(True, frozenset((Origin(f"{HAS}{node.address}", label),))), FALSE))
 
 
 def not_declared(machine: Machine, name: Value, method: str) -> Value:
@@ -354,9 +237,9 @@ def is_unset(value: Value) -> bool | None:
 def new_table(machine: Machine, node: Ref, undeclared: Value | None) -> None:
     """A new node has no parameters."""
     patterns = machine.allocate(Obj("dict", Native("builtins.dict")), _PATTERNS)
-    excluded = machine.allocate(Obj("dict", Native("builtins.dict")), _EXCLUDED)
+    excluded = machine.allocate(Obj("dict", Native("builtins.dict")), EXCLUDED)
     obj = machine.obj(node).with_attr(_TABLE, machine.new_dict({})).with_attr(_PATTERNS, patterns)
-    obj = obj.with_attr(_EXCLUDED, excluded)
+    obj = obj.with_attr(EXCLUDED, excluded)
     machine.update(node, obj.with_attr(UNDECLARED, undeclared or FALSE))
 
 

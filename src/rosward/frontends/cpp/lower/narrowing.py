@@ -18,7 +18,7 @@ from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.survey import operator_of, word
 from rosward.frontends.cpp.lower.variables import Variable
 from rosward.ir.control import If
-from rosward.ir.core import NO_REGISTER, Assume, Compare, Const, Move, Unary
+from rosward.ir.core import NO_REGISTER, Assume, Compare, Move, Unary
 from rosward.ir.cpp import Narrow, Read
 from rosward.ir.op import Block
 from rosward.records import NamedTuple
@@ -227,7 +227,7 @@ def conjunction(body: Body, node: Node, operator: str, depth: int = 0) -> Outcom
             body.ops = outer
             nested = 0
         nested += 1
-        decided: Block = [Const(*place, dst, not is_and)]
+        decided: Block = [Assume(*place, dst, dst, "decided", NO_REGISTER, not is_and)]
         inner: Block = []
         body.emit(If(*place, dst, *((inner, decided) if is_and else (decided, inner))))
         body.ops = inner

@@ -25,7 +25,7 @@ from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.operators import items as python_items
 from rosward.models.python.plain import int_of, text_of, unknown_from
-from rosward.models.ros.parameter_table import in_place
+from rosward.models.ros.parameter_tests import in_place
 
 __all__ = [
     "is_structure",
@@ -51,7 +51,8 @@ def read(machine: Machine, value: Value) -> Value:
     """The value at a slot; what is no slot is itself. A default is another value where a test said so."""
     if value.__class__ is Slot:
         found = _read(machine, value)
-        return in_place(machine, found) if found.__class__ is Const and found.origins else found
+        is_open = found.__class__ is Choice or (found.__class__ is Const and found.origins)
+        return in_place(machine, found) if is_open else found
     if value.__class__ is Choice and any(o.__class__ is Slot for o in value.options):
         inside = [o for o in value.options if not _is_end(machine, o)]  # none goes on that reads what is behind the end
         return join_all(read(machine, option) for option in inside or value.options)
