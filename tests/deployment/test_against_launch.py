@@ -112,6 +112,44 @@ PYTHON = {
         "demo/talker --ros-args -r a:=b\n* /lib/demo/talker\ndemo/other x",
         "",
     ),
+    "a function reads what is set for all nodes": (
+        """SetParameter('front', 1.5), SetParameter('name', 'x'), SetRemap('a', 'b'),
+        OpaqueFunction(function=lambda context: [
+            Node(package='demo', executable=n, arguments=[str(v)]) for n, v in context.launch_configurations['global_params']]),
+        OpaqueFunction(function=lambda context: [Node(package='demo', executable='sum', arguments=[
+            str(dict(context.launch_configurations.get('global_params', {}))['front'] + 1), *sorted(context.launch_configurations)],
+            remappings=[(y, x) for x, y in context.launch_configurations['ros_remaps']])])""",
+        """
+        demo/front 1.5 --ros-args -p front:=1.5 -p name:=x -r a:=b
+        demo/name x --ros-args -p front:=1.5 -p name:=x -r a:=b
+        demo/sum 2.5 global_params ros_remaps --ros-args -p front:=1.5 -p name:=x -r a:=b -r b:=a
+        """,
+        "",
+    ),
+    "a function sets what is set for all nodes": (
+        """SetParameter('front', 1.5),
+        OpaqueFunction(function=lambda context: context.launch_configurations.update(
+            global_params=[('rear', 2), '/a.yaml'], ros_remaps=[('c', 'd')])),
+        GroupAction([Node(package='demo', executable='set'),
+            OpaqueFunction(function=lambda context: context.launch_configurations['global_params'].append(('more', 5))),
+            OpaqueFunction(function=lambda context: context.launch_configurations.setdefault('ros_remaps', []).extend([('e', 'f')]))]),
+        Node(package='demo', executable='added'),
+        OpaqueFunction(function=lambda context: context.launch_configurations.pop('global_params') and []),
+        Node(package='demo', executable='removed')""",
+        """
+        demo/set --ros-args -p rear:=2 --params-file /a.yaml -r c:=d
+        demo/added --ros-args -p rear:=2 --params-file /a.yaml -p more:=5 -r c:=d -r e:=f
+        demo/removed --ros-args -r c:=d -r e:=f
+        """,
+        "",
+    ),
+    "what a function sets for all nodes is not known": (
+        """OpaqueFunction(function=lambda context: context.launch_configurations.update(
+            global_params=eval(input()), ros_remaps=[eval(input())])),
+        Node(package='demo', executable='talker')""",
+        "demo/talker --ros-args --params-file * -r *:=*",
+        "RW203",
+    ),
     "a counted loop": (
         "ForLoop('2', function=lambda i: [Node(package='demo', executable='e' + str(i))])",
         "demo/e0 --ros-args\ndemo/e1 --ros-args",
