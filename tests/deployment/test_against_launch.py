@@ -46,6 +46,16 @@ MARKUP = {
         "demo/same --ros-args",
         "",
     ),
+    "a list may be empty": (
+        """
+        <launch>
+          <arg name="open" default="[]"/>
+          <node pkg="demo" exec="talker"><param name="a" value="[]"/><param name="b" value="$(var open)"/></node>
+        </launch>
+        """,
+        "demo/talker --ros-args --params-file {/** a=[]} --params-file {/** b=[]}",
+        "",
+    ),
     "an expression that is none ends the launch": (
         """<launch><let name="a" value="it's"/><node pkg="demo" exec="talker" args="$(eval &quot;'$(var a)'&quot;)"/></launch>""",
         "demo/talker * --ros-args",
@@ -149,6 +159,19 @@ PYTHON = {
         Node(package='demo', executable='talker')""",
         "demo/talker --ros-args --params-file * -r *:=*",
         "RW203",
+    ),
+    "a list may be empty where it is described": (
+        """Node(package='demo', executable='talker', parameters=[
+            {'a': ParameterValue([]), 'b': ParameterValue(LaunchConfiguration('m', default='[]'))}]),
+        Node(package='demo', executable='other', parameters=[{'a': LaunchConfiguration('m', default='[]')}])""",
+        "demo/talker --ros-args --params-file {/** a=[], /** b=[]}\ndemo/other --ros-args --params-file {/** a=?}",
+        "RW320",
+    ),
+    "a dict for all nodes": (
+        """SetParameter('x', {'a': 1, 'b': {LaunchConfiguration('k', default='c'): LaunchConfiguration('v', default='2')}}),
+        SetParameter('y', {}), Node(package='demo', executable='talker')""",
+        "demo/talker --ros-args -p x.a:=1 -p x.b.c:=2",
+        "",
     ),
     "a counted loop": (
         "ForLoop('2', function=lambda i: [Node(package='demo', executable='e' + str(i))])",

@@ -28,7 +28,6 @@ from rosward.deployment.tree import (
     Maybe,
     OnEvent,
     Opaque,
-    ParameterTable,
     PushNamespace,
     ScopeChange,
     SetConfiguration,
@@ -375,10 +374,9 @@ class Actions:
             for source in self.parameters.sources(Tuple((self.objects.field(ref, "path") or NONE,)), place):
                 return (SetParameter(parameter=source, **given),)
             return ()
-        name = self.objects.field(ref, "name")
-        key = self.texts.template(name, place)
-        data = self.parameters.data(self.objects.field(ref, "value") or NONE, place)
-        return (SetParameter(parameter=ParameterTable(((key, data),), place), **given),)
+        name = self.texts.template(self.objects.field(ref, "name"), place)
+        sources = self.parameters.named(name, self.objects.field(ref, "value") or NONE, place)
+        return tuple(SetParameter(parameter=source, **given) for source in sources)
 
 
 def _where(value: Value, place: Place) -> Place:
