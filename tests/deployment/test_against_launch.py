@@ -242,3 +242,23 @@ def test_a_launch_file_imports_another_one(tmp_path: Path) -> None:
     program = f"{IMPORTS}sys.path.append(os.path.join(os.path.dirname(__file__), '../more'))\nimport other_launch\n"
     program += "def generate_launch_description():\n    return LaunchDescription(other_launch.more('talker'))\n"
     assert run(tmp_path, "main.launch.py", program) == ("demo/talker --ros-args", set())
+
+
+def test_a_launch_file_of_any_name_imports_another_one(tmp_path: Path) -> None:
+    (tmp_path / "demo/launch").mkdir(parents=True)
+    (tmp_path / "demo/examples").mkdir()
+    other = "from launch_ros.actions import Node\ndef more(name): return [Node(package='demo', executable=name)]\n"
+    (tmp_path / "demo/launch/other_launch.py").write_text(
+        f"{other}def generate_launch_description(): pass\n", encoding="utf-8"
+    )
+    program = f"""{IMPORTS}
+sys.path.append(os.path.join(get_package_share_directory('demo'), 'launch'))
+import other_launch
+
+def generate_launch_description():
+    return LaunchDescription(other_launch.more('talker'))
+"""
+    (tmp_path / "demo/examples/bag.py").write_text(program, encoding="utf-8")
+    include = "IncludeLaunchDescription(PythonLaunchDescriptionSource([ThisLaunchFileDir(), '/../examples/bag.py']))"
+    main = f"{IMPORTS}\ndef generate_launch_description():\n    return LaunchDescription([{include}])\n"
+    assert run(tmp_path, "main.launch.py", main) == ("demo/talker --ros-args", set())
