@@ -173,6 +173,13 @@ PYTHON = {
         "demo/talker --ros-args -p x.a:=1 -p x.b.c:=2",
         "",
     ),
+    "a node by the path of its program": (
+        """Node(executable=ExecutableInPackage('talker', 'demo'), name='a'),
+        Node(executable=PathJoinSubstitution([FindPackagePrefix('demo'), 'lib', 'demo', 'talker']), arguments=['-v']),
+        Node(executable=[FindPackagePrefix('demo'), '/lib/other/talker'])""",
+        "demo/talker --ros-args -r __node:=a\ndemo/talker -v --ros-args\n*/lib/other/talker --ros-args",
+        "",
+    ),
     "a counted loop": (
         "ForLoop('2', function=lambda i: [Node(package='demo', executable='e' + str(i))])",
         "demo/e0 --ros-args\ndemo/e1 --ros-args",
