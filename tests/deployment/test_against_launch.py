@@ -269,3 +269,38 @@ def generate_launch_description():
     include = "IncludeLaunchDescription(PythonLaunchDescriptionSource([ThisLaunchFileDir(), '/../examples/bag.py']))"
     main = f"{IMPORTS}\ndef generate_launch_description():\n    return LaunchDescription([{include}])\n"
     assert run(tmp_path, "main.launch.py", main) == ("demo/talker --ros-args", set())
+
+
+PERHAPS = """
+import socket
+
+def generate_launch_description():
+    arguments, remappings, environment, words = {'n': '3'}, [('x', 'y')], {}, ['--a']
+    if socket.gethostname() == 'robot':
+        arguments['who'] = 'special'
+        remappings.append(('chatter', 'other'))
+        remappings.append(('z', 'second'))
+        environment['E'] = '1'
+        words.append('--b')
+    remappings.append(('z', 'first'))
+    return LaunchDescription([
+        Node(package='demo', executable='talker', remappings=remappings, additional_env=environment, arguments=words),
+        GroupAction([Node(package='demo', executable='group', name=LaunchConfiguration('who', default='nobody'))],
+                    launch_configurations=arguments),
+        IncludeLaunchDescription([ThisLaunchFileDir(), '/inner.launch.py'], launch_arguments=arguments.items()),
+    ])
+"""
+
+
+def test_what_is_perhaps_in_a_list_or_dict_is_not_certain(tmp_path: Path) -> None:
+    (tmp_path / "demo/launch").mkdir(parents=True)
+    inner = INNER.replace(
+        "LaunchConfiguration('n')", "LaunchConfiguration('n'), name=LaunchConfiguration('who', default='inner')"
+    )
+    (tmp_path / "demo/launch/inner.launch.py").write_text(f"{IMPORTS}\n{inner}", encoding="utf-8")
+    talker, group, included = run(tmp_path, "main.launch.py", IMPORTS + PERHAPS)[0].splitlines()
+    assert talker == (
+        "demo/talker --a --b|* --ros-args -r x:=y -r chatter:=other|chatter:=chatter -r z:=second|z:=* -r z:=first|z:=z"
+    )
+    assert group == "demo/group --ros-args -r __node:=special|__node:=*"
+    assert included == "demo/3 --ros-args -r __node:=special|__node:=*"
