@@ -304,3 +304,32 @@ def test_what_is_perhaps_in_a_list_or_dict_is_not_certain(tmp_path: Path) -> Non
     )
     assert group == "demo/group --ros-args -r __node:=special|__node:=*"
     assert included == "demo/3 --ros-args -r __node:=special|__node:=*"
+
+
+PERHAPS_IN_TEXTS = """
+import socket
+
+def made(context, who='nobody'):
+    return [Node(package='demo', executable='made', name=who)]
+
+def generate_launch_description():
+    name, parts, named, given = ['a'], ['/x'], {}, []
+    if socket.gethostname() == 'robot':
+        name.append('_robot')
+        parts.append('more')
+        named['who'] = 'somebody'
+        given.append('anybody')
+    return LaunchDescription([
+        Node(package='demo', executable='talker', name=name, namespace=PathJoinSubstitution(parts)),
+        OpaqueFunction(function=made, kwargs=named),
+        OpaqueFunction(function=made, args=given),
+    ])
+"""
+
+
+def test_what_is_perhaps_in_a_text_or_call_is_not_certain(tmp_path: Path) -> None:
+    assert run(tmp_path, "main.launch.py", IMPORTS + PERHAPS_IN_TEXTS)[0].splitlines() == [
+        "demo/talker --ros-args -r __node:=a_robot|__node:=a* -r __ns:=/*",
+        "demo/made --ros-args -r __node:=somebody|__node:=*",
+        "demo/made --ros-args -r __node:=anybody|__node:=*",
+    ]

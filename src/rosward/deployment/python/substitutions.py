@@ -249,7 +249,10 @@ class Texts:
         if value is None:
             return []
         if self.objects.is_sequence(value):
-            return [self.template(e.value, place) for e in self.objects.elements(value)]
+            elements = self.objects.elements(value)
+            if all(e.sure for e in elements):
+                return [self.template(e.value, place) for e in elements]
+            return [(self.objects.unknown("list of unknown length", place),)]
         return [self.template(value, place)]
 
     def _several(self, value: Value, place: Place) -> Template:
@@ -257,9 +260,8 @@ class Texts:
         if isinstance(value, Tuple) or self.objects.is_sequence(value):
             found: list[Value | Substitution] = []
             for element in self.objects.elements(value):
-                found += self.template(element.value, place)
-                if not element.sure:
-                    found.append(self.objects.unknown("list of unknown length", place))
+                text = self.template(element.value, place)
+                found += text if element.sure else self._perhaps(text, place)
             return tuple(found) or (Const(""),)
         return (self.objects.unknown("list", place),)
 
