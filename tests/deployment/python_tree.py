@@ -93,6 +93,8 @@ class Launch:
     def configurations(self) -> Mapping[str, Value]:
         return self.values
 
+    def add_to_configuration(self, name: str, value: Value) -> None: ...
+
     def set_configuration(self, name: str, value: Value | None) -> None:
         self.values.pop(name, None)
         if value is not None:

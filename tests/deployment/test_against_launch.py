@@ -46,6 +46,16 @@ MARKUP = {
         "demo/same --ros-args",
         "",
     ),
+    "a list may be empty": (
+        """
+        <launch>
+          <arg name="open" default="[]"/>
+          <node pkg="demo" exec="talker"><param name="a" value="[]"/><param name="b" value="$(var open)"/></node>
+        </launch>
+        """,
+        "demo/talker --ros-args --params-file {/** a=[]} --params-file {/** b=[]}",
+        "",
+    ),
     "an expression that is none ends the launch": (
         """<launch><let name="a" value="it's"/><node pkg="demo" exec="talker" args="$(eval &quot;'$(var a)'&quot;)"/></launch>""",
         "demo/talker * --ros-args",
@@ -110,6 +120,64 @@ PYTHON = {
         ExecuteProcess(cmd=[FindPackagePrefix('demo'), '/lib/demo/talker']),
         ExecuteProcess(cmd=[[FindPackagePrefix('demo'), '/lib/demo/other'], 'x'])""",
         "demo/talker --ros-args -r a:=b\n* /lib/demo/talker\ndemo/other x",
+        "",
+    ),
+    "a function reads what is set for all nodes": (
+        """SetParameter('front', 1.5), SetParameter('name', 'x'), SetRemap('a', 'b'),
+        OpaqueFunction(function=lambda context: [
+            Node(package='demo', executable=n, arguments=[str(v)]) for n, v in context.launch_configurations['global_params']]),
+        OpaqueFunction(function=lambda context: [Node(package='demo', executable='sum', arguments=[
+            str(dict(context.launch_configurations.get('global_params', {}))['front'] + 1), *sorted(context.launch_configurations)],
+            remappings=[(y, x) for x, y in context.launch_configurations['ros_remaps']])])""",
+        """
+        demo/front 1.5 --ros-args -p front:=1.5 -p name:=x -r a:=b
+        demo/name x --ros-args -p front:=1.5 -p name:=x -r a:=b
+        demo/sum 2.5 global_params ros_remaps --ros-args -p front:=1.5 -p name:=x -r a:=b -r b:=a
+        """,
+        "",
+    ),
+    "a function sets what is set for all nodes": (
+        """SetParameter('front', 1.5),
+        OpaqueFunction(function=lambda context: context.launch_configurations.update(
+            global_params=[('rear', 2), '/a.yaml'], ros_remaps=[('c', 'd')])),
+        GroupAction([Node(package='demo', executable='set'),
+            OpaqueFunction(function=lambda context: context.launch_configurations['global_params'].append(('more', 5))),
+            OpaqueFunction(function=lambda context: context.launch_configurations.setdefault('ros_remaps', []).extend([('e', 'f')]))]),
+        Node(package='demo', executable='added'),
+        OpaqueFunction(function=lambda context: context.launch_configurations.pop('global_params') and []),
+        Node(package='demo', executable='removed')""",
+        """
+        demo/set --ros-args -p rear:=2 --params-file /a.yaml -r c:=d
+        demo/added --ros-args -p rear:=2 --params-file /a.yaml -p more:=5 -r c:=d -r e:=f
+        demo/removed --ros-args -r c:=d -r e:=f
+        """,
+        "",
+    ),
+    "what a function sets for all nodes is not known": (
+        """OpaqueFunction(function=lambda context: context.launch_configurations.update(
+            global_params=eval(input()), ros_remaps=[eval(input())])),
+        Node(package='demo', executable='talker')""",
+        "demo/talker --ros-args --params-file * -r *:=*",
+        "RW203",
+    ),
+    "a list may be empty where it is described": (
+        """Node(package='demo', executable='talker', parameters=[
+            {'a': ParameterValue([]), 'b': ParameterValue(LaunchConfiguration('m', default='[]'))}]),
+        Node(package='demo', executable='other', parameters=[{'a': LaunchConfiguration('m', default='[]')}])""",
+        "demo/talker --ros-args --params-file {/** a=[], /** b=[]}\ndemo/other --ros-args --params-file {/** a=?}",
+        "RW320",
+    ),
+    "a dict for all nodes": (
+        """SetParameter('x', {'a': 1, 'b': {LaunchConfiguration('k', default='c'): LaunchConfiguration('v', default='2')}}),
+        SetParameter('y', {}), Node(package='demo', executable='talker')""",
+        "demo/talker --ros-args -p x.a:=1 -p x.b.c:=2",
+        "",
+    ),
+    "a node by the path of its program": (
+        """Node(executable=ExecutableInPackage('talker', 'demo'), name='a'),
+        Node(executable=PathJoinSubstitution([FindPackagePrefix('demo'), 'lib', 'demo', 'talker']), arguments=['-v']),
+        Node(executable=[FindPackagePrefix('demo'), '/lib/other/talker'])""",
+        "demo/talker --ros-args -r __node:=a\ndemo/talker -v --ros-args\n*/lib/other/talker --ros-args",
         "",
     ),
     "a counted loop": (
@@ -181,3 +249,87 @@ def test_a_launch_file_imports_another_one(tmp_path: Path) -> None:
     program = f"{IMPORTS}sys.path.append(os.path.join(os.path.dirname(__file__), '../more'))\nimport other_launch\n"
     program += "def generate_launch_description():\n    return LaunchDescription(other_launch.more('talker'))\n"
     assert run(tmp_path, "main.launch.py", program) == ("demo/talker --ros-args", set())
+
+
+def test_a_launch_file_of_any_name_imports_another_one(tmp_path: Path) -> None:
+    (tmp_path / "demo/launch").mkdir(parents=True)
+    (tmp_path / "demo/examples").mkdir()
+    other = "from launch_ros.actions import Node\ndef more(name): return [Node(package='demo', executable=name)]\n"
+    (tmp_path / "demo/launch/other_launch.py").write_text(
+        f"{other}def generate_launch_description(): pass\n", encoding="utf-8"
+    )
+    program = f"""{IMPORTS}
+sys.path.append(os.path.join(get_package_share_directory('demo'), 'launch'))
+import other_launch
+
+def generate_launch_description():
+    return LaunchDescription(other_launch.more('talker'))
+"""
+    (tmp_path / "demo/examples/bag.py").write_text(program, encoding="utf-8")
+    include = "IncludeLaunchDescription(PythonLaunchDescriptionSource([ThisLaunchFileDir(), '/../examples/bag.py']))"
+    main = f"{IMPORTS}\ndef generate_launch_description():\n    return LaunchDescription([{include}])\n"
+    assert run(tmp_path, "main.launch.py", main) == ("demo/talker --ros-args", set())
+
+
+PERHAPS = """
+import socket
+
+def generate_launch_description():
+    arguments, remappings, environment, words = {'n': '3'}, [('x', 'y')], {}, ['--a']
+    if socket.gethostname() == 'robot':
+        arguments['who'] = 'special'
+        remappings.append(('chatter', 'other'))
+        remappings.append(('z', 'second'))
+        environment['E'] = '1'
+        words.append('--b')
+    remappings.append(('z', 'first'))
+    return LaunchDescription([
+        Node(package='demo', executable='talker', remappings=remappings, additional_env=environment, arguments=words),
+        GroupAction([Node(package='demo', executable='group', name=LaunchConfiguration('who', default='nobody'))],
+                    launch_configurations=arguments),
+        IncludeLaunchDescription([ThisLaunchFileDir(), '/inner.launch.py'], launch_arguments=arguments.items()),
+    ])
+"""
+
+
+def test_what_is_perhaps_in_a_list_or_dict_is_not_certain(tmp_path: Path) -> None:
+    (tmp_path / "demo/launch").mkdir(parents=True)
+    inner = INNER.replace(
+        "LaunchConfiguration('n')", "LaunchConfiguration('n'), name=LaunchConfiguration('who', default='inner')"
+    )
+    (tmp_path / "demo/launch/inner.launch.py").write_text(f"{IMPORTS}\n{inner}", encoding="utf-8")
+    talker, group, included = run(tmp_path, "main.launch.py", IMPORTS + PERHAPS)[0].splitlines()
+    assert talker == (
+        "demo/talker --a --b|* --ros-args -r x:=y -r chatter:=other|chatter:=chatter -r z:=second|z:=* -r z:=first|z:=z"
+    )
+    assert group == "demo/group --ros-args -r __node:=special|__node:=*"
+    assert included == "demo/3 --ros-args -r __node:=special|__node:=*"
+
+
+PERHAPS_IN_TEXTS = """
+import socket
+
+def made(context, who='nobody'):
+    return [Node(package='demo', executable='made', name=who)]
+
+def generate_launch_description():
+    name, parts, named, given = ['a'], ['/x'], {}, []
+    if socket.gethostname() == 'robot':
+        name.append('_robot')
+        parts.append('more')
+        named['who'] = 'somebody'
+        given.append('anybody')
+    return LaunchDescription([
+        Node(package='demo', executable='talker', name=name, namespace=PathJoinSubstitution(parts)),
+        OpaqueFunction(function=made, kwargs=named),
+        OpaqueFunction(function=made, args=given),
+    ])
+"""
+
+
+def test_what_is_perhaps_in_a_text_or_call_is_not_certain(tmp_path: Path) -> None:
+    assert run(tmp_path, "main.launch.py", IMPORTS + PERHAPS_IN_TEXTS)[0].splitlines() == [
+        "demo/talker --ros-args -r __node:=a_robot|__node:=a* -r __ns:=/*",
+        "demo/made --ros-args -r __node:=somebody|__node:=*",
+        "demo/made --ros-args -r __node:=anybody|__node:=*",
+    ]

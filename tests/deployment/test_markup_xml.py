@@ -184,9 +184,9 @@ CASES = {
             8: quoted = '1'
             9: none = ''
             10: list = [1, 2]
-            11: words = several['a', typed[$(var <b>)]]
+            11: words = several['a', typed[$(var <b>)] as yaml]
             12: cut = [1, 2]
-            13: open = typed[$(var <x>)]
+            13: open = typed[$(var <x>)] as yaml
         """,
     ),
     "parameters with a type": (

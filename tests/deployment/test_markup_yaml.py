@@ -45,7 +45,7 @@ CASES = {
             17: flag = True
             18: text = '1'
             19: list = [1, 2]
-            20: words = several['a', typed[$(var <b>)]]
+            20: words = several['a', typed[$(var <b>)] as yaml]
             21: open = typed[$(var <x>)] as int
             22: pid.p = 0.5
             25:file[p.yaml] with substitutions

@@ -202,14 +202,23 @@ def test_launch_files_are_no_nodes(tmp_path: Path) -> None:
             "launch/broken.py": "def generate_launch_description(:\n",
             "d_launch.py": launch,
             "e.py": launch,
+            "examples/launch_from_bag.py": launch,
+            "examples/launch_helper.py": "x = 1\n",
             "launch/f.launch.xml": "",
             "g.launch": "",
         },
     )
-    assert names(found) == ["e.py", "launch/helper.py", "launch/template.py", "launch/writer.py"]
+    assert names(found) == [
+        "e.py",
+        "examples/launch_helper.py",
+        "launch/helper.py",
+        "launch/template.py",
+        "launch/writer.py",
+    ]
     assert [file.relative for file in found.launch_files] == [
         "a.launch.py",
         "d_launch.py",
+        "examples/launch_from_bag.py",
         "g.launch",
         "launch/b.py",
         "launch/broken.py",

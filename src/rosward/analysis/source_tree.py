@@ -25,6 +25,7 @@ from rosward.source.definitions import Definition
 from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
+from rosward.source.launch_function import makes_launch
 from rosward.source.text import decode, place_name, read_bytes
 from rosward.source.workspace import Package, SourceFile, Workspace
 from rosward.source.yaml_documents import YamlDocuments
@@ -262,8 +263,16 @@ class SourceTree:
             return None  # what a build generates takes the place of a file of that name
         found = self._resolver.resolve(name, level, source)
         if found is None:
-            return self._launch_file(name, source) if importer in self._launch and level == 0 else None
+            launch = self._launch_file(name, source) if level == 0 else None
+            return launch if launch is not None and self._describes_launch(source) else None
         return self._found_module(found)
+
+    def _describes_launch(self, file: SourceFile) -> bool:
+        """Whether a file is a launch file, whatever its name: one that another one includes may have any."""
+        if file.relative in self._launch:
+            return True
+        data = read_bytes(file.path, file.relative, limits.PYTHON_FILE)
+        return isinstance(data, bytes) and makes_launch(data)
 
     def _found_module(self, found: ImportTarget) -> FoundModule | None:
         """A file that is imported under another name than its own is a module apart from that of its own name.

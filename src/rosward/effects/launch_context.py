@@ -28,6 +28,9 @@ class LaunchSettings(Protocol):
     def set_configuration(self, name: str, value: Value | None) -> None:
         """Set a launch configuration; None removes it."""
 
+    def add_to_configuration(self, name: str, value: Value) -> None:
+        """Add an item to a launch configuration that is a list, as launch_ros keeps those of SetRemap and SetParameter."""
+
     def variable(self, name: str) -> Value | None:
         """An environment variable, None where it is not known or not set."""
 

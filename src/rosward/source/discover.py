@@ -194,11 +194,11 @@ def _look(starts: list[str], tree: Tree, root: Path, findings: list[Finding], *,
 
 
 def _is_launch(path: str) -> bool:
-    """Whether a Python file describes a launch: by its name, or in a launch folder by the function that makes it."""
+    """Whether a Python file describes a launch: by its name, or by the function that makes it where its name or folder speaks of launch."""
     folder, _, name = path.rpartition(os.sep)
     if name.endswith(".launch.py"):
         return True
-    if not name.endswith("launch.py") and "launch" not in Path(folder).parts[-3:]:
+    if "launch" not in name and "launch" not in Path(folder).parts[-3:]:
         return False
     data = read_bytes(path, path, limits.PYTHON_FILE)
     return isinstance(data, bytes) and makes_launch(data)

@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Final, final
 
-from rosward.deployment.execution.ros_state import RosState
-from rosward.domain.choice import join, join_all
+from rosward.deployment.execution.ros_state import LISTS, RosState, read_entry
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Unknown, Value
@@ -75,13 +75,30 @@ class Context:
         values = [v for v in found if v is not None]
         return Held(join_all(values), len(values) == len(found)) if values else None
 
+    def listed(self, name: str) -> Value | None:
+        """What SetRemap or SetParameter have set, as Python code reads it by the name of its configuration; None where it is surely not set."""
+        values = [v for state in self.alternatives if (v := state.listed(name)) is not None]
+        return join_all(values) if values else None
+
+    def add_listed(self, name: str, value: Value) -> None:
+        """Python code adds an item to the list of SetRemap or SetParameter."""
+        self.change_ros(lambda state: state.added(read_entry(name, value)))
+
     def configurations(self) -> dict[str, Value]:
         """All launch configurations that are or may be set."""
-        return {name: held.value for name, held in self._configurations[-1].items() if held.value is not None}
+        found = {name: held.value for name, held in self._configurations[-1].items() if held.value is not None}
+        namespace = self._held_namespace()
+        if namespace is not None and namespace.value is not None:
+            found[ROS_NAMESPACE] = namespace.value
+        return found | {name: value for name in LISTS if (value := self.listed(name)) is not None}
 
     def set(self, name: str, value: Value | None) -> None:
         """Set a launch configuration; None removes it."""
-        if name == ROS_NAMESPACE:
+        if name in LISTS:
+            several = (None,) if value is None else options(value)
+            states = (state.with_listed(name, each) for state in self.alternatives for each in several)
+            self.alternatives = self._bounded(states)
+        elif name == ROS_NAMESPACE:
             self.change_ros(lambda state: state.with_namespace(value))
         elif value is None:
             self._configurations[-1].pop(name, None)

@@ -23,8 +23,9 @@ from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import Component, NodeKind, StartNode, Template
 from rosward.domain.choice import join, lift2, options
-from rosward.domain.text import concat
-from rosward.domain.values import Const, Value
+from rosward.domain.text import concat, parts_of
+from rosward.domain.unknown import Cause
+from rosward.domain.values import Const, Hole, Value
 from rosward.effects.configuration import Configuration
 from rosward.holes import literal
 from rosward.records import NamedTuple
@@ -91,6 +92,7 @@ def _node(action: StartNode, state: RosState, scene: Scene, at: At) -> Started:
     name = _optional(action.name, scene)
     namespace = prefixed(state.namespace, _optional(action.namespace, scene))
     _check(name, namespace, scene, place)
+    package, executable = _program(action, scene)
     words = [scene.text(word) for word in action.arguments]
     if action.ros_arguments:
         words += [_ROS_ARGS, *(scene.text(word) for word in action.ros_arguments)]
@@ -111,8 +113,8 @@ def _node(action: StartNode, state: RosState, scene: Scene, at: At) -> Started:
             missing={**own.missing, **parameters.missing},
             environment=environment(action.environment, action.replaces_environment, scene, place),
         ),
-        package=_optional(action.package, scene),
-        executable=scene.text(action.executable),
+        package=package,
+        executable=executable,
         name=name,
         namespace=namespace,
         remaps=remaps,
@@ -122,6 +124,26 @@ def _node(action: StartNode, state: RosState, scene: Scene, at: At) -> Started:
         event=at.event,
         trail=at.trail,
     )
+
+
+def installed_program(path: Value) -> tuple[Value, Value] | None:
+    """The package and the name of an executable whose path leads below the prefix of its package, as `ros2 run` finds it."""
+    first, *rest = parts_of(path)
+    if not isinstance(first, Hole) or len(rest) != 1 or not isinstance(rest[0], str) or len(first.reasons) != 1:
+        return None
+    reason = first.reasons[0]
+    folder, _, name = rest[0].rpartition("/")
+    if reason.cause is not Cause.PREFIX or folder != f"/lib/{reason.subject}" or not name:
+        return None
+    return Const(reason.subject), Const(name)
+
+
+def _program(action: StartNode, scene: Scene) -> tuple[Value | None, Value]:
+    """The package and the executable; a path may lead to that of a package."""
+    executable = scene.text(action.executable)
+    if action.package is None:
+        return installed_program(executable) or (None, executable)
+    return scene.text(action.package), executable
 
 
 def _check(name: Value | None, namespace: Value | None, scene: Scene, place: Place) -> None:

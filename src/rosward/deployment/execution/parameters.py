@@ -64,7 +64,9 @@ def evaluate(data: ParameterData, name: Value, scene: Scene, place: Place) -> Va
         items = tuple(evaluate(item, name, scene, place) for item in data.items)
         return lift(lambda v: _literal(v, failed), Tuple(items))
     text = scene.text(data.text)
-    return as_yaml(text, failed) if data.type in (None, "yaml") else as_type(text, data.type or "str", failed)
+    if data.type in (None, "yaml"):
+        return as_yaml(text, failed, described=data.type == "yaml")
+    return as_type(text, data.type or "str", failed)
 
 
 def _literal(value: Value, failed: Failed) -> Value:
@@ -88,8 +90,8 @@ def _list(value: Tuple, failed: Failed) -> Value:
             if isinstance(i, Const) and isinstance(i.value, (int, float))
         ]
         return Tuple(tuple(items))
-    if (known and not value.items) or len(kinds) > 1:
-        failed("a list must have items, all of one type")
+    if len(kinds) > 1:
+        failed("the items of a list must be of one type")
         return unknown(value, "list")
     return value
 
@@ -151,7 +153,7 @@ class LaunchedParameters:
         """A value as the node reads it from the file that launch writes: of a list [x, y] rcl takes `y` for a bool, and refuses the file."""
 
         def one(option: Value) -> Value:
-            if not isinstance(option, Tuple) or type_word(option) is not None:
+            if not isinstance(option, Tuple) or not option.items or type_word(option) is not None:
                 return option
             types = {type_word(item) for item in option.items}
             if None in types:

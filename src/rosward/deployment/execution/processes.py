@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from rosward.deployment.execution.nodes import At, environment
+from rosward.deployment.execution.nodes import At, environment, installed_program
 from rosward.deployment.execution.word_files import word_files
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started, StartKind
@@ -21,7 +21,7 @@ from rosward.deployment.tree import StartProcess
 from rosward.domain.choice import join, lift2, options
 from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origin, Reason
-from rosward.domain.values import EMPTY, Const, Hole, Unknown, Value
+from rosward.domain.values import EMPTY, Const, Unknown, Value
 from rosward.effects.configuration import Configuration
 from rosward.effects.shell import ORIGIN
 from rosward.location import Place
@@ -98,8 +98,8 @@ def _process(
         launch = _launch(words[2:])
         if launch is not None:
             return launch
-    elif (installed := _installed(words[0])) is not None:
-        kind, (package, executable) = StartKind.NODE, installed
+    elif (of_package := installed_program(words[0])) is not None:
+        kind, (package, executable) = StartKind.NODE, of_package
     elif program in _PYTHON and len(words) > 1 and not (verb or "").startswith("-"):
         executable, rest = words[1], tuple(words[2:])
     own = word_files(rest, scene, action.place)
@@ -119,18 +119,6 @@ def _process(
         event=at.event,
         trail=at.trail,
     )
-
-
-def _installed(path: Value) -> tuple[Value, Value] | None:
-    """The package and the name of an executable whose path leads below the prefix of its package, as `ros2 run` finds it."""
-    first, *rest = parts_of(path)
-    if not isinstance(first, Hole) or len(rest) != 1 or not isinstance(rest[0], str) or len(first.reasons) != 1:
-        return None
-    reason = first.reasons[0]
-    folder, _, name = rest[0].rpartition("/")
-    if reason.cause is not Cause.PREFIX or folder != f"/lib/{reason.subject}" or not name:
-        return None
-    return Const(reason.subject), Const(name)
 
 
 def _without_prefix(words: Sequence[Value]) -> list[Value]:

@@ -12,11 +12,19 @@ from __future__ import annotations
 
 from typing import Final, final
 
-from rosward.domain.values import Value
+from rosward.domain.choice import is_text
+from rosward.domain.compound import Tuple
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import Unknown, Value
 from rosward.location import Place
 from rosward.records import NamedTuple
 
 NO_LIST: Final = -1
+NO_PLACE: Final = Place("", 0)
+REMAPS: Final = "ros_remaps"
+PARAMETERS: Final = "global_params"
+LISTS: Final = (REMAPS, PARAMETERS)
+"""The names under which launch_ros keeps the lists among the launch configurations."""
 
 
 class Remap(NamedTuple):
@@ -104,3 +112,38 @@ class RosState(NamedTuple):
         position = len(self.lists)
         scope = scope._replace(remaps=position) if isinstance(entry, Remap) else scope._replace(parameters=position)
         return RosState((*self.scopes[:-1], scope), (*self.lists, (entry,)))
+
+    def listed(self, name: str) -> Value | None:
+        """One of the lists as Python code of a launch file finds it: pairs, and paths of parameter files; None where there is none."""
+        scope = self.scopes[-1]
+        position = scope.remaps if name == REMAPS else scope.parameters
+        return None if position == NO_LIST else Tuple(tuple(map(_shown, self.lists[position])))
+
+    def with_listed(self, name: str, value: Value | None) -> RosState:
+        """Another list in the current scope, as Python code has made it; None: none."""
+        position = NO_LIST if value is None else len(self.lists)
+        scope = self.scopes[-1]
+        scope = scope._replace(remaps=position) if name == REMAPS else scope._replace(parameters=position)
+        lists = self.lists if value is None else (*self.lists, _entries(name, value))
+        return RosState((*self.scopes[:-1], scope), lists)
+
+
+def _shown(entry: ListedEntry) -> Value:
+    if isinstance(entry, Remap):
+        return Tuple((entry.source, entry.target))
+    return entry.path if isinstance(entry, GlobalFile) else Tuple((entry.name, entry.value))
+
+
+def _entries(name: str, value: Value) -> tuple[ListedEntry, ...]:
+    return tuple(read_entry(name, v) for v in value.items) if isinstance(value, Tuple) else (read_entry(name, value),)
+
+
+def read_entry(name: str, value: Value) -> ListedEntry:
+    """An item of one of the lists that Python code made. What cannot be read may be any rule, or any parameters."""
+    pair = value.items if isinstance(value, Tuple) and len(value.items) == 2 else None
+    if name == REMAPS:
+        unknown = Unknown((Reason(Cause.ARGUMENT, name, NO_PLACE),), "str")
+        return Remap(*(pair or (unknown, unknown)))
+    if pair is not None:
+        return GlobalParameter(*pair, NO_PLACE)
+    return GlobalFile(value if is_text(value) else Unknown((Reason(Cause.ARGUMENT, name, NO_PLACE),), "str"), NO_PLACE)

@@ -13,6 +13,7 @@ from rosward.deployment.execution.context import Context
 from rosward.deployment.execution.findings import FindingLog
 from rosward.deployment.execution.generated import GeneratedFiles
 from rosward.deployment.execution.launch_files import LaunchFiles
+from rosward.deployment.execution.ros_state import LISTS
 from rosward.deployment.markup.substitutions import UNKNOWN
 from rosward.deployment.performer import PythonCode
 from rosward.deployment.tree import Substitution, Template
@@ -109,6 +110,8 @@ class Scene:
     def configuration(self, name: str) -> Value | None:
         """The value of a launch configuration, None where it is surely not set."""
         self.asked.add(name)
+        if name in LISTS:
+            return self.context.listed(name)
         held = self.context.held(name)
         return None if held is None else held.value
 
@@ -120,6 +123,10 @@ class Scene:
     def set_configuration(self, name: str, value: Value | None) -> None:
         """Set a launch configuration; None removes it."""
         self.context.set(name, value)
+
+    def add_to_configuration(self, name: str, value: Value) -> None:
+        """Add an item to a launch configuration that is a list."""
+        self.context.add_listed(name, value)
 
     def variable(self, name: str) -> Value | None:
         """An environment variable, None where it is not known or not set."""

@@ -103,15 +103,18 @@ def is_same_path(one: Value, other: Value) -> bool | None:
     return rest == others if len(roots[0]) == 1 and roots[0] == roots[1] else None
 
 
-def as_yaml(text: Value, failed: Failed) -> Value:
-    """The value of a parameter whose text is performed: bool, int, float, str or a list of one of them."""
+def as_yaml(text: Value, failed: Failed, *, described: bool = False) -> Value:
+    """The value of a parameter whose text is performed: bool, int, float, str or a list of one of them.
+
+    `described`: by a ParameterValue, as those of markup are, which may be an empty list.
+    """
 
     def one(option: Value) -> Value:
         plain = plain_text(option)
         if plain is None:
             return _with_hole(option)
         loaded = load_yaml(plain) if plain else Loaded("")
-        if loaded.error or not _is_uniform(loaded.value):
+        if loaded.error or not (_is_uniform(loaded.value) or (described and loaded.value == [])):
             failed(loaded.error or f"{_quoted(plain)} is neither a scalar nor a list of values of one type")
             return unknown(option)
         return value_of(loaded.value, origins_of(option))

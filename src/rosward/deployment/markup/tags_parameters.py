@@ -122,7 +122,7 @@ def _scalar(param: Tag, value: Scalar, kind: str | None) -> Literal | Typed:
     template = param.parsed(value)
     text = plain_text(template)
     if text is None:
-        return Typed(template, kind)
+        return Typed(template, kind or "yaml")
     if wanted not in {None, str}:
         param.refuse(f"{value!r} in <param> is not of type {kind}.")
     return Literal(Const(text))

@@ -28,7 +28,6 @@ from rosward.deployment.tree import (
     Maybe,
     OnEvent,
     Opaque,
-    ParameterTable,
     PushNamespace,
     ScopeChange,
     SetConfiguration,
@@ -310,17 +309,19 @@ class Actions:
         return Include(path=path, format=form, arguments=arguments, loader=loader, **given)
 
     def _opaque(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
-        function = self.objects.field(ref, "function")
+        function, place = self.objects.field(ref, "function"), given["place"]
         if function is None:
-            return (Unread(place=given["place"], why="OpaqueFunction without a function"),)
-        args = self.objects.elements(self.objects.field(ref, "args") or NONE)
+            return (Unread(place=place, why="OpaqueFunction without a function"),)
+        elements = self.objects.elements(self.objects.field(ref, "args") or NONE)
+        args = tuple(e.value if e.sure else self.objects.perhaps(e.value, place) for e in elements)
         kwargs = self.objects.field(ref, "kwargs")
         self._functions += 1
         named: list[tuple[str, Value]] = []
         if isinstance(kwargs, Ref) and self.objects.is_dict(kwargs):
-            entries = self.objects.machine.obj(kwargs).entries
-            named = [(str(k.value), v) for k, v in entries.items() if isinstance(k, Const)]
-        return (Opaque(function=function, args=tuple(e.value for e in args), kwargs=tuple(named), **given),)
+            obj = self.objects.machine.obj(kwargs)
+            entries = [(k, self.objects.perhaps(v, place) if k in obj.maybe else v) for k, v in obj.entries.items()]
+            named = [(str(k.value), v) for k, v in entries if isinstance(k, Const)]
+        return (Opaque(function=function, args=args, kwargs=tuple(named), **given),)
 
     def _on_event(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         handler = self.objects.field(ref, "event_handler") or NONE
@@ -375,10 +376,9 @@ class Actions:
             for source in self.parameters.sources(Tuple((self.objects.field(ref, "path") or NONE,)), place):
                 return (SetParameter(parameter=source, **given),)
             return ()
-        name = self.objects.field(ref, "name")
-        key = self.texts.template(name, place)
-        data = self.parameters.data(self.objects.field(ref, "value") or NONE, place)
-        return (SetParameter(parameter=ParameterTable(((key, data),), place), **given),)
+        name = self.texts.template(self.objects.field(ref, "name"), place)
+        sources = self.parameters.named(name, self.objects.field(ref, "value") or NONE, place)
+        return tuple(SetParameter(parameter=source, **given) for source in sources)
 
 
 def _where(value: Value, place: Place) -> Place:

@@ -110,6 +110,10 @@ class PerformedContext:
         """Set a launch configuration; None removes it."""
         self.performer.set_configuration(name, value)
 
+    def add_to_configuration(self, name: str, value: Value) -> None:
+        """Add an item to a launch configuration that is a list."""
+        self.performer.add_to_configuration(name, value)
+
     def variable(self, name: str) -> Value | None:
         """An environment variable, None where it is not known or not set."""
         return self.performer.variable(name)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import options, reasons_of
+from rosward.domain.choice import join, options, reasons_of
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
 from rosward.domain.heap import Alternatives
 from rosward.domain.unknown import Cause, Reason
@@ -136,6 +136,10 @@ class Objects:
     def tell(self, code: str, message: str, place: Place) -> None:
         """A finding."""
         self.machine.log.findings.add(Finding(code, message, place))
+
+    def perhaps(self, value: Value, place: Place) -> Value:
+        """A value in place of which any other one may be, since it may not be there."""
+        return join(value, self.unknown("what may not be there", place, ""))
 
     def unknown(self, why: str, place: Place, hint: str = "str") -> Unknown:
         """An unknown value that arises in the launch file."""

@@ -92,9 +92,16 @@ class ParameterReader:
         name = self.texts.template(self.objects.field(ref, "name"), here)
         return ParameterArgument(name, self._described(ref, here), here)
 
-    def _table(self, ref: Ref, place: Place) -> tuple[ParameterSource, ...]:
+    def named(self, name: Template, value: Value, place: Place) -> tuple[ParameterSource, ...]:
+        """One parameter, or those of a dict, whose names begin with this one."""
+        if self.objects.is_dict(value):
+            assert isinstance(value, Ref)
+            return self._table(value, place, name)
+        return (ParameterTable(((name, self.data(value, place)),), place),)
+
+    def _table(self, ref: Ref, place: Place, prefix: Template = ()) -> tuple[ParameterSource, ...]:
         entries: list[tuple[Template, ParameterData]] = []
-        whole = self._flatten(ref, (), place, entries, 0)
+        whole = self._flatten(ref, prefix, place, entries, 0)
         table = ParameterTable(tuple(entries), place)
         if whole:
             return (table,)
@@ -152,11 +159,12 @@ class ParameterReader:
                 found = join(found, option)
         return found
 
-    def _array(self, value: Value, place: Place) -> ParameterData:
+    def _array(self, value: Value, place: Place, *, described: bool = False) -> ParameterData:
+        """A list; only one that a ParameterValue describes may be empty."""
         elements = self.objects.elements(value)
         if not all(e.sure for e in elements):
             return Literal(self.objects.unknown("list of unknown length", place, ""))
-        if not elements:
+        if not elements and not described:
             self.objects.tell("RW320", "launch_ros does not accept an empty list as a parameter value", place)
             return Literal(Tuple(()))
         items = [e.value for e in elements]
@@ -185,9 +193,9 @@ class ParameterReader:
                 self.objects.tell("RW320", f"the value is not of the type {wanted} that value_type requires", here)
             return Literal(value)
         if self.objects.is_sequence(value):
-            found = self._array(value, here)
+            found = self._array(value, here, described=True)
             return found._replace(type=wanted) if isinstance(found, Typed) else found
-        return Typed(self.texts.template(value, here), wanted)
+        return Typed(self.texts.template(value, here), wanted or "yaml")
 
     def _is_scalar(self, value: Value) -> bool:
         """Whether a value is no substitution: it is used as it is, text is not read as YAML."""

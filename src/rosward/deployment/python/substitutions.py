@@ -11,7 +11,7 @@ from typing import Final, final
 
 from rosward.deployment.python.objects import Objects
 from rosward.deployment.tree import Condition, Substitution, Template
-from rosward.domain.choice import options
+from rosward.domain.choice import join, options
 from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.values import NONE, Const, Ref, Text, Unknown, Value
 from rosward.location import Place
@@ -133,24 +133,52 @@ class Texts:
         return None if value is None or value == NONE else self.template(value, place)
 
     def pairs(self, value: Value | None, place: Place) -> tuple[tuple[Template, Template], ...]:
-        """A dict, or a list of pairs, of texts."""
+        """A dict, or a list of pairs, of texts. What may not be there has a value that may be any."""
+        return tuple((k, v if sure else self._perhaps(v, place)) for k, v, sure in self._pairs(value, place))
+
+    def rules(self, value: Value | None, place: Place) -> tuple[tuple[Template, Template], ...]:
+        """The remap rules of a node. One that may not be there may keep its name, unless a later one is for that name, too."""
+        pairs = self._pairs(value, place)
+        found: list[tuple[Template, Template]] = []
+        for index, (source, target, sure) in enumerate(pairs):
+            last = all(source != later for later, _, _ in pairs[index + 1 :])
+            found.append((source, target if sure else self._perhaps(target, place, source if last else ())))
+        return tuple(found)
+
+    def _perhaps(self, text: Template, place: Place, other: Template = ()) -> Template:
+        """A text in place of which another one may hold; any, where that is not known."""
+        unknown = self.objects.unknown("what may not be there", place)
+        known = [t[0] if len(t) == 1 and not isinstance(t[0], Substitution) else unknown for t in (text, other)]
+        return (join(*known),)
+
+    def _pairs(self, value: Value | None, place: Place) -> list[tuple[Template, Template, bool]]:
+        """Pairs of texts, each with whether it is surely there."""
         if value is None or value == NONE:
-            return ()
+            return []
         if self.objects.is_dict(value):
             assert isinstance(value, Ref)
-            entries = self.objects.machine.obj(value).entries
-            return tuple((self.template(k, place), self.template(v, place)) for k, v in entries.items())
-        found: list[tuple[Template, Template]] = []
+            obj = self.objects.machine.obj(value)
+            entries = [
+                (self.template(k, place), self.template(v, place), k not in obj.maybe) for k, v in obj.entries.items()
+            ]
+            if obj.rest is not None:
+                unknown = self.objects.unknown("entries of a dict", place)
+                entries.append(((unknown,), self.template(obj.rest, place), False))
+            return entries
+        found: list[tuple[Template, Template, bool]] = []
         for element in self.objects.elements(value):
-            for option in options(element.value):
+            several = options(element.value)
+            sure = element.sure and len(several) == 1
+            for option in several:
                 pair = self.objects.elements(option) if self.objects.is_sequence(option) else []
                 if len(pair) == 2:
-                    found.append((self.template(pair[0].value, place), self.template(pair[1].value, place)))
+                    key, text = (self.template(p.value, place) for p in pair)
+                    found.append((key, text, sure))
                 elif isinstance(option, Unknown):
-                    found.append(((option,), (option,)))
+                    found.append(((option,), (option,), sure))
                 else:
                     self.objects.tell("RW320", "launch requires pairs of strings here", place)
-        return tuple(found)
+        return found
 
     def words(self, value: Value | None, place: Place) -> tuple[Template, ...]:
         """A list of texts. A str is taken as the list of its characters, as launch does."""
@@ -159,7 +187,8 @@ class Texts:
         if self.objects.is_text(value):
             known, rest = self.objects.machine.iterate(value)
             return tuple((v,) for v in (*known, *(() if rest is None else (rest,))))
-        return tuple(self.template(e.value, place) for e in self.objects.elements(value))
+        words = ((self.template(e.value, place), e.sure) for e in self.objects.elements(value))
+        return tuple(word if sure else self._perhaps(word, place) for word, sure in words)
 
     def condition(self, value: Value | None, place: Place) -> Condition | None:
         """A condition of an action; None where there is none."""
@@ -220,7 +249,10 @@ class Texts:
         if value is None:
             return []
         if self.objects.is_sequence(value):
-            return [self.template(e.value, place) for e in self.objects.elements(value)]
+            elements = self.objects.elements(value)
+            if all(e.sure for e in elements):
+                return [self.template(e.value, place) for e in elements]
+            return [(self.objects.unknown("list of unknown length", place),)]
         return [self.template(value, place)]
 
     def _several(self, value: Value, place: Place) -> Template:
@@ -228,9 +260,8 @@ class Texts:
         if isinstance(value, Tuple) or self.objects.is_sequence(value):
             found: list[Value | Substitution] = []
             for element in self.objects.elements(value):
-                found += self.template(element.value, place)
-                if not element.sure:
-                    found.append(self.objects.unknown("list of unknown length", place))
+                text = self.template(element.value, place)
+                found += text if element.sure else self._perhaps(text, place)
             return tuple(found) or (Const(""),)
         return (self.objects.unknown("list", place),)
 

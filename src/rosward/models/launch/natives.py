@@ -18,7 +18,7 @@ from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Ref, Unknown, Value
 from rosward.location import Place
-from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.native import Arguments, Machine, NativeCall, NativeFunction
 from rosward.models.python.std.paths import as_text
 
 if TYPE_CHECKING:
@@ -210,6 +210,31 @@ def _set_configuration(call: NativeCall) -> Value:
     return NONE
 
 
+def _set_listed(call: NativeCall) -> Value:
+    """set_configuration(name, items) of one that is a list of pairs or texts: the launch does not see the program's objects."""
+    name, value = call.exactly(2)
+    return _set_configuration(call._replace(args=Arguments((name, _without_objects(call.machine, value)))))
+
+
+def _add_to_configuration(call: NativeCall) -> Value:
+    """An item more in a launch configuration that is a list. On a way that need not be taken, one that may be any is added."""
+    launch = _launch(call)
+    if launch is not None:
+        name, value = call.exactly(2)
+        sure = call.machine.is_sure
+        item = _without_objects(call.machine, value) if sure else _not_known(call, name)
+        launch.add_to_configuration(text_of(name), item)
+    return NONE
+
+
+def _without_objects(machine: Machine, value: Value) -> Value:
+    """A list with all that is in it as a value; unknown where not all is known."""
+    if isinstance(value, Ref) and machine.obj(value).kind in ("list", "dict"):
+        known, rest = machine.iterate(value)
+        value = machine.unknown(Cause.ARGUMENT, "list") if rest is not None else Tuple(tuple(known))
+    return Tuple(tuple(_without_objects(machine, v) for v in value.items)) if isinstance(value, Tuple) else value
+
+
 def _assign(call: NativeCall, read: Callable[[str], Value | None], write: Callable[[str, Value | None], None]) -> None:
     name, value = call.exactly(2)
     sure = call.machine.is_sure
@@ -322,6 +347,8 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.launch.has_configuration": _has_configuration,
     "_rosward.launch.configurations": _configurations,
     "_rosward.launch.set_configuration": _set_configuration,
+    "_rosward.launch.set_listed": _set_listed,
+    "_rosward.launch.add_to_configuration": _add_to_configuration,
     "_rosward.launch.variable": _variable,
     "_rosward.launch.removed": _removed,
     "_rosward.launch.set_variable": _set_variable,

@@ -7,15 +7,55 @@ Read from launch 3.7.0, with what humble had before it.
 import os
 
 from _rosward import reads_only, unknown
-from _rosward.launch import configuration, configurations, has_configuration, perform, set_configuration
+from _rosward.launch import (
+    add_to_configuration,
+    configuration,
+    configurations,
+    has_configuration,
+    perform,
+    set_configuration,
+    set_listed,
+)
+
+_LISTS = ("global_params", "ros_remaps")
+
+
+class _Listed(list):
+    """What SetParameter or SetRemap have set: what is added to this list holds for all nodes from then on."""
+
+    def __init__(self, name):
+        super().__init__(configuration(name))
+        self._name = name
+
+    def append(self, item):
+        super().append(item)
+        add_to_configuration(self._name, item)
+
+    def extend(self, items):
+        for item in items:
+            self.append(item)
+
+    def __iadd__(self, items):
+        self.extend(items)
+        return self
 
 
 class _Configurations:
     """`context.launch_configurations`."""
 
-    def __getitem__(self, key): return configuration(key)
-    def get(self, key, default=None): return configuration(key, default)
-    def __setitem__(self, key, value): set_configuration(key, value)
+    def __getitem__(self, key): return _Listed(key) if key in _LISTS else configuration(key)
+
+    def get(self, key, default=None):
+        if key in _LISTS:
+            return _Listed(key) if has_configuration(key) else default
+        return configuration(key, default)
+
+    def __setitem__(self, key, value):
+        if key not in _LISTS:
+            set_configuration(key, value)
+        elif not isinstance(value, _Listed):
+            set_listed(key, value)
+
     def __delitem__(self, key): set_configuration(key, None)
     def __contains__(self, key): return has_configuration(key)
     def __iter__(self): return iter(configurations())
@@ -26,18 +66,22 @@ class _Configurations:
     def copy(self): return configurations()
 
     def setdefault(self, key, default=None):
-        value = configuration(key, default)
-        set_configuration(key, value)
-        return value
+        if key not in _LISTS:
+            value = configuration(key, default)
+            set_configuration(key, value)
+            return value
+        if not has_configuration(key):
+            set_listed(key, default)
+        return _Listed(key)
 
     def pop(self, key, *default):
-        value = configuration(key, *default)
+        value = self.get(key, *default) if default else self[key]
         set_configuration(key, None)
         return value
 
     def update(self, *others, **given):
         for key, value in dict(*others, **given).items():
-            set_configuration(key, value)
+            self[key] = value
 
     def clear(self):
         for key in configurations():

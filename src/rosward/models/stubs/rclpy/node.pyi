@@ -394,12 +394,15 @@ class Node:
         self._rosward_post = (*self._rosward_post, callback)
         schedule(callback, _new_parameters(), event="parameters")
 
-    @reads_only
-    def remove_pre_set_parameters_callback(self, callback) -> None: ...
-    @reads_only
-    def remove_on_set_parameters_callback(self, callback) -> None: ...
-    @reads_only
-    def remove_post_set_parameters_callback(self, callback) -> None: ...
+    def remove_pre_set_parameters_callback(self, callback):
+        self._rosward_pre = _without(self._rosward_pre, callback)
+
+    def remove_on_set_parameters_callback(self, callback):
+        self._rosward_on = _without(self._rosward_on, callback)
+
+    def remove_post_set_parameters_callback(self, callback):
+        self._rosward_post = _without(self._rosward_post, callback)
+
     def describe_parameter(self, name):
         needs_parameter(self, name, "describe_parameter")
         descriptor = message(ParameterDescriptor, "descriptor")
@@ -607,6 +610,13 @@ def _can_be_value(value):
     if isinstance(value, (list, tuple)):
         return array_type(value) != ""
     return not isinstance(value, (dict, set, frozenset, bytes, bytearray, complex))
+
+
+def _without(callbacks, callback):
+    """Those that are called when the code itself sets a parameter; another node may have set one while this callback was there."""
+    left = list(callbacks)
+    left.remove(callback)
+    return tuple(left)
 
 
 def _new_parameters():
