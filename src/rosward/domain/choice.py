@@ -15,7 +15,7 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Rang
 from rosward.domain.enumerated import Enumerated, Whole
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import common
-from rosward.domain.unknown import TAKEN_FOR_NOTHING, Cause, Reason, of_library
+from rosward.domain.unknown import COMPARED, TAKEN_FOR_NOTHING, Cause, Origins, Reason, of_library
 from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value, is_nan
 from rosward.location import Place
 
@@ -68,7 +68,7 @@ def join(left: Value, right: Value) -> Value:
             return _bounded(found) if len(found) > MAX_NUMBERS else Choice(found)
     elif right.__class__ is not Choice:
         if left.__class__ is Const and right.__class__ is Const and _are_alike(left, right):
-            return Const(left.value, left.origins | right.origins)
+            return Const(left.value, _both(left.origins, right.origins))
         return Choice((right, left) if left.__class__ is Unknown else (left, right))
     else:
         found_first = _joined_first(left, right)
@@ -102,6 +102,14 @@ def _are_alike(left: Const, right: Const) -> bool:
     """Whether two constants are one value, of whatever origins."""
     one, other = left.value, right.value
     return one.__class__ is other.__class__ and (one == other or (is_nan(one) and is_nan(other)))
+
+
+def _both(one: Origins, other: Origins) -> Origins:
+    """Where a constant stems from that comes from two places. What a test has told of it holds where it was told in both."""
+    every = one | other
+    if one == other or not any(o.kind == COMPARED for o in every):
+        return every
+    return frozenset(o for o in every if o.kind != COMPARED or (o in one and o in other))
 
 
 def join_all(values: Iterable[Value]) -> Value:
@@ -156,7 +164,7 @@ def _merged(values: Iterable[Value]) -> dict[Value, None]:
             before = consts.get(key)
             if before is not None:
                 del found[before]
-                option = Const(before.value, before.origins | option.origins)
+                option = Const(before.value, _both(before.origins, option.origins))
             consts[key] = option
         found[option] = None
     return found

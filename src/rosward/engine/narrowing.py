@@ -14,7 +14,7 @@ from rosward.domain.compound import Descriptor, Tuple
 from rosward.domain.enumerated import Enumerated, Whole
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import COMPARED, Cause, Origin, Origins, Reason
-from rosward.domain.values import Const, Function, Ref, Unknown, Value
+from rosward.domain.values import Const, Function, Ref, Unknown, Value, is_nan
 from rosward.ir import ops
 from rosward.models.python.containers.lists import ITERATOR
 from rosward.models.python.operators.operators import is_default
@@ -34,9 +34,23 @@ def narrowed(machine: Engine, value: Value, test: str, other: Value | None, sens
     kept = [
         _one(machine, option, test, other, sense)
         for option in options(value)
-        if machine.language.may(machine, option, test, other, sense)
+        if _may(machine, option, test, other, sense)
     ]
     return join_all(kept) if kept else None
+
+
+def _may(machine: Engine, value: Value, test: str, other: Value | None, sense: bool) -> bool:
+    """Whether a test may come out as `sense` for one alternative.
+
+    `>=` stands here as what is not `<`, and NaN is neither.
+    """
+    if test in ("<", ">") and (_is_nan(value) or _is_nan(other)):
+        return True
+    return machine.language.may(machine, value, test, other, sense)
+
+
+def _is_nan(value: Value | None) -> bool:
+    return isinstance(value, Const) and is_nan(value.value)
 
 
 def _one(machine: Engine, value: Value, test: str, other: Value | None, sense: bool) -> Value:
@@ -65,7 +79,7 @@ def _one(machine: Engine, value: Value, test: str, other: Value | None, sense: b
 
 def _may_be(machine: Engine, value: Const, test: str, other: Value, sense: bool) -> bool:
     """Whether the test of a default may come out so while nobody gives another value."""
-    return machine.language.may(machine, Const(value.value), test, _as_given(other), sense)
+    return _may(machine, Const(value.value), test, _as_given(other), sense)
 
 
 def _as_given(value: Value) -> Value:

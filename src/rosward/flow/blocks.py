@@ -73,10 +73,11 @@ def branch(walker: Walker, op: ops.If, body: Body, seen: Seen) -> bool:
 
 def _side(walker: Walker, block: ops.Block, body: Body, pc: int) -> tuple[Point | None, int, int]:
     """One side of a branch: its end, where control comes there; what decides all that follows, as the function, or the loop, was left in it."""
-    leaves, turns = body.leaves, body.turns
-    body.pc = pc
+    leaves, turned = body.leaves, body.turned
+    body.pc, body.turned = pc, 0
     end = walker.point(body) if walker.run(block, body) else None
-    return end, pc if body.leaves != leaves else 0, pc if body.turns != turns else 0
+    gone_on, body.turned = body.turned, turned | body.turned
+    return end, pc if body.leaves != leaves else 0, gone_on
 
 
 def leave(walker: Walker, op: ops.Return, body: Body, _seen: Seen) -> bool:
@@ -89,14 +90,14 @@ def leave(walker: Walker, op: ops.Return, body: Body, _seen: Seen) -> bool:
 
 def break_(walker: Walker, _op: ops.Break, body: Body, _seen: Seen) -> bool:
     """Leave the loop."""
-    body.turns += 1
+    body.turned |= body.pc
     body.broken = joined(body.broken, walker.point(body))
     return False
 
 
 def continue_(walker: Walker, _op: ops.Continue, body: Body, _seen: Seen) -> bool:
     """Go on with the next turn."""
-    body.turns += 1
+    body.turned |= body.pc
     body.continued = joined(body.continued, walker.point(body))
     return False
 
@@ -169,7 +170,7 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
 
 def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any, item: int = ops.NO_REGISTER) -> bool:
     """`item`: the register that keeps what it held where there is no further element."""
-    outer = body.broken, body.continued
+    outer = body.broken, body.continued, body.turned
     body.enter_loop()
     outside = body.pc
     ended: Point | None = None
@@ -202,7 +203,7 @@ def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any, item: int
     broken = body.broken
     if broken is None:
         body.pc = outside | body.left
-    body.broken, body.continued = outer
+    body.broken, body.continued, body.turned = outer
     alive = False
     if ended is not None:
         walker.go(body, ended)
@@ -258,7 +259,7 @@ def attempt(walker: Walker, op: ops.Try, body: Body, _seen: Seen) -> bool:
             body.registers[handler.bind] = raised
         if walker.run(handler.match, body) and walker.run(handler.body, body):
             after = joined(after, walker.point(body))
-    body.pc = outside | body.left
+    body.pc = outside | body.left | body.turned
     if body.leaves != leaves:
         body.left |= inside
         body.pc |= inside
@@ -307,7 +308,7 @@ def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
     outside = body.pc
     alive, tried = _try(walker, op.body, body, handles=seen.swallows)
     if seen.swallows:
-        body.pc = outside | body.left
+        body.pc = outside | body.left | body.turned
         after = joined(tried.point, walker.point(body) if alive else None)
         assert after is not None
         walker.go(body, after)

@@ -98,7 +98,7 @@ class Body:
     """The walk through one activation.
 
     `pc`: what decides that control is here; `left`: the part of it that stays to the end of the function, because one way has left it.
-    `leaves` and `turns` count how often control has left the function, or the innermost loop.
+    `leaves` counts how often control has left the function; `turned` is what decides that it has left a turn of the innermost loop.
     """
 
     __slots__ = (
@@ -114,7 +114,7 @@ class Body:
         "result",
         "returned",
         "tests",
-        "turns",
+        "turned",
     )
 
     def __init__(self, activation: Activation, registers: list[Mark], pc: int) -> None:
@@ -125,7 +125,7 @@ class Body:
         self.pc = pc
         self.left = 0
         self.leaves = 0
-        self.turns = 0
+        self.turned = 0
         self.result = NOTHING
         self.tests: dict[int, str] = {}  # the text with which the value was compared that a register says the result of
         self.returned: Memory | None = None
@@ -142,6 +142,7 @@ class Body:
     def enter_loop(self) -> None:
         """A loop begins: nothing has left it, or gone on with its next turn."""
         self.broken = self.continued = None
+        self.turned = 0
 
 
 def here(body: Body) -> Chain:

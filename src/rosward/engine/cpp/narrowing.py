@@ -92,7 +92,7 @@ def assume(machine: Engine, op: ops.Assume, frame: Frame) -> bool | None:
 def _decided(value: Value, sense: bool) -> Value:
     """The outcome of `a || b` where `a` decides it: of a default that says otherwise, that is of another value."""
     if value.__class__ is Const and is_default(value.origins) and bool(value.value) is not sense:
-        return Const(sense, compared(value))
+        return Const(sense, compared(value) - origins_of(value))
     return Const(sense)
 
 

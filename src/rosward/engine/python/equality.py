@@ -47,6 +47,7 @@ _BINARY: Final = {
 }  # fmt: skip
 _COMPARE: Final = {"==": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 _REFLECTED: Final = {"lt": "gt", "le": "ge", "gt": "lt", "ge": "le"}
+_ORDERS: Final = ("__lt__", "__le__", "__gt__", "__ge__")
 _UNARY: Final = {"-": "neg", "+": "pos", "~": "invert"}
 _COMPARED: Final = frozenset(
     Native(f"builtins.{name}")
@@ -329,9 +330,17 @@ def _may(machine: Engine, value: Value, test: str, other: Value | None, sense: b
         answer = None
     elif value.__class__ is Const and other.__class__ is Const and test in ("is", "=="):
         answer = _equal_constants(value, other)
+    elif test in ("<", ">") and _says_order(machine, value):
+        answer = None  # `>=`, which stands here as what is not `<`, has a method of its own
     else:
         answer = truth(machine, compare(machine, test, value, other))
     return answer is None or answer is sense
+
+
+def _says_order(machine: Engine, value: Value) -> bool:
+    """Whether a method that somebody wrote compares an object; of a member of `IntEnum`, that of `int` does."""
+    methods = [o for name in _ORDERS if (m := special(machine, value, name)) is not None for o in options(m)]
+    return any(not isinstance(m, BoundMethod) or m.function.__class__ is not Native for m in methods)
 
 
 def _equal_constants(left: Const, right: Const) -> bool | None:

@@ -220,8 +220,7 @@ def _unwind(call: NativeCall) -> Value:
     items = call.machine.iterate(exits)
     if items.rest is None:
         return call.machine.unwind(items.known, exception)
-    # With an exception on its way, the list is that of all places where one may have been raised: those at its end are taken to be there.
-    further = join(items.rest, NONE) if exception == NONE else items.rest
+    further = join(items.rest, NONE)
     return call.machine.unwind((*items.known, *(further,) * min(len(options(items.rest)), _MOST_EXITS)), exception)
 
 
