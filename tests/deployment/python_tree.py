@@ -95,6 +95,8 @@ class Launch:
 
     def add_to_configuration(self, name: str, value: Value) -> None: ...
 
+    def rewrite_configuration(self, name: str, value: Value) -> None: ...
+
     def set_configuration(self, name: str, value: Value | None) -> None:
         self.values.pop(name, None)
         if value is not None:

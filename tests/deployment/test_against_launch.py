@@ -25,7 +25,7 @@ from rosward.source.discover import discover
 
 IMPORTS = (
     HEAD
-    + "from launch_ros.parameter_descriptions import Parameter, ParameterValue\nfrom typing import List\n"
+    + "import copy\nfrom launch_ros.parameter_descriptions import Parameter, ParameterValue\nfrom typing import List\n"
     + "from launch_ros.substitutions import ExecutableInPackage, FindPackagePrefix\n"
 )
 
@@ -153,6 +153,32 @@ PYTHON = {
         """,
         "",
     ),
+    "a function changes in place what is set for all nodes": (
+        """SetParameter('a', 1), SetParameter('b', 2), SetRemap('x', 'y'),
+        GroupAction([
+            OpaqueFunction(function=lambda context: context.launch_configurations['global_params'].insert(0, ('first', 0))),
+            OpaqueFunction(function=lambda context: context.launch_configurations['global_params'].remove(('b', 2))),
+            OpaqueFunction(function=lambda context: context.launch_configurations['ros_remaps'].__setitem__(0, ('x', 'z')))]),
+        Node(package='demo', executable='changed'),
+        OpaqueFunction(function=lambda context: [
+            Node(package='demo', executable=context.launch_configurations['global_params'].pop()[0])]),
+        OpaqueFunction(function=lambda context: context.launch_configurations['ros_remaps'].clear()),
+        Node(package='demo', executable='less')""",
+        """
+        demo/changed --ros-args -p first:=0 -p a:=1 -r x:=z
+        demo/a --ros-args -p first:=0 -r x:=z
+        demo/less --ros-args -p first:=0
+        """,
+        "",
+    ),
+    "a function changes a copy of what is set for all nodes": (
+        """SetParameter('a', 1),
+        OpaqueFunction(function=lambda context: copy.deepcopy(context.launch_configurations['global_params']).append(('b', 2))),
+        OpaqueFunction(function=lambda context: copy.copy(context.launch_configurations['global_params']).clear()),
+        Node(package='demo', executable='talker')""",
+        "demo/talker --ros-args -p a:=1",
+        "",
+    ),
     "what a function sets for all nodes is not known": (
         """OpaqueFunction(function=lambda context: context.launch_configurations.update(
             global_params=eval(input()), ros_remaps=[eval(input())])),
@@ -178,6 +204,12 @@ PYTHON = {
         Node(executable=PathJoinSubstitution([FindPackagePrefix('demo'), 'lib', 'demo', 'talker']), arguments=['-v']),
         Node(executable=[FindPackagePrefix('demo'), '/lib/other/talker'])""",
         "demo/talker --ros-args -r __node:=a\ndemo/talker -v --ros-args\n*/lib/other/talker --ros-args",
+        "",
+    ),
+    "a path is the program whatever the package is": (
+        """Node(package='other', executable=[FindPackagePrefix('demo'), '/lib/demo/talker']),
+        Node(package='demo', executable='/usr/bin/ls')""",
+        "demo/talker --ros-args\n/usr/bin/ls --ros-args",
         "",
     ),
     "a counted loop": (

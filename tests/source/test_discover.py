@@ -210,6 +210,7 @@ def test_launch_files_are_no_nodes(tmp_path: Path) -> None:
     )
     assert names(found) == [
         "e.py",
+        "examples/launch_from_bag.py",
         "examples/launch_helper.py",
         "launch/helper.py",
         "launch/template.py",

@@ -31,6 +31,9 @@ class LaunchSettings(Protocol):
     def add_to_configuration(self, name: str, value: Value) -> None:
         """Add an item to a launch configuration that is a list, as launch_ros keeps those of SetRemap and SetParameter."""
 
+    def rewrite_configuration(self, name: str, value: Value) -> None:
+        """Change a launch configuration that is a list in place: each scope that sees the list sees that."""
+
     def variable(self, name: str) -> Value | None:
         """An environment variable, None where it is not known or not set."""
 

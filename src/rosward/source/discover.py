@@ -72,6 +72,7 @@ def discover(
     chosen = _look(starts, tree, root, findings, include_tests=include_tests)
     files = sorted({*tree.python.values()} - named)
     launch = {path for path in files if _is_launch(path)} | {path for path in tree.launch if _has_key(path)} | named
+    both = {path for path in files if path not in launch and _may_be_launch(path)}
     named_setup = [path for path in files if path.endswith(f"{os.sep}setup.py") and path not in chosen]
     scripts = {path for path in named_setup if is_build_script(path)}
     tree.skipped += [(path, SkipReason.BUILD_SCRIPT) for path in sorted(scripts)]
@@ -99,7 +100,7 @@ def discover(
     return Workspace(
         root=root,
         files=tuple(sorted(sources, key=_by_name)),
-        launch_files=tuple(sorted((record(path, module=False) for path in launch), key=_by_name)),
+        launch_files=tuple(sorted((record(path, module=False) for path in launch | both), key=_by_name)),
         packages=packages,
         executables=tuple(started),
         interface_files=tuple(sorted((record(path, module=False) for path in set(tree.interfaces)), key=_by_name)),
@@ -194,12 +195,21 @@ def _look(starts: list[str], tree: Tree, root: Path, findings: list[Finding], *,
 
 
 def _is_launch(path: str) -> bool:
-    """Whether a Python file describes a launch: by its name, or by the function that makes it where its name or folder speaks of launch."""
+    """Whether a Python file describes a launch and is no program: by its name, or in a launch folder by the function that makes it."""
     folder, _, name = path.rpartition(os.sep)
     if name.endswith(".launch.py"):
         return True
-    if "launch" not in name and "launch" not in Path(folder).parts[-3:]:
+    if not name.endswith("launch.py") and "launch" not in Path(folder).parts[-3:]:
         return False
+    return _makes_launch(path)
+
+
+def _may_be_launch(path: str) -> bool:
+    """Whether a Python file describes a launch by the function that makes it, and its name speaks of launch: it may be a program, too."""
+    return "launch" in path.rpartition(os.sep)[2] and _makes_launch(path)
+
+
+def _makes_launch(path: str) -> bool:
     data = read_bytes(path, path, limits.PYTHON_FILE)
     return isinstance(data, bytes) and makes_launch(data)
 

@@ -84,6 +84,12 @@ class Context:
         """Python code adds an item to the list of SetRemap or SetParameter."""
         self.change_ros(lambda state: state.added(read_entry(name, value)))
 
+    def rewrite_listed(self, name: str, value: Value) -> None:
+        """Python code changes the list of SetRemap or SetParameter in place."""
+        self.alternatives = self._bounded(
+            state.rewritten(name, each) for state in self.alternatives for each in options(value)
+        )
+
     def configurations(self) -> dict[str, Value]:
         """All launch configurations that are or may be set."""
         found = {name: held.value for name, held in self._configurations[-1].items() if held.value is not None}

@@ -139,11 +139,13 @@ def installed_program(path: Value) -> tuple[Value, Value] | None:
 
 
 def _program(action: StartNode, scene: Scene) -> tuple[Value | None, Value]:
-    """The package and the executable; a path may lead to that of a package."""
+    """The package and the executable; a path may lead to that of a package, whatever package is named beside it."""
     executable = scene.text(action.executable)
-    if action.package is None:
-        return installed_program(executable) or (None, executable)
-    return scene.text(action.package), executable
+    installed = installed_program(executable)
+    if installed is not None:
+        return installed
+    is_path = (plain_text(executable) or "").startswith("/")
+    return None if is_path else _optional(action.package, scene), executable
 
 
 def _check(name: Value | None, namespace: Value | None, scene: Scene, place: Place) -> None:

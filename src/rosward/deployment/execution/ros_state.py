@@ -115,8 +115,7 @@ class RosState(NamedTuple):
 
     def listed(self, name: str) -> Value | None:
         """One of the lists as Python code of a launch file finds it: pairs, and paths of parameter files; None where there is none."""
-        scope = self.scopes[-1]
-        position = scope.remaps if name == REMAPS else scope.parameters
+        position = self._position(name)
         return None if position == NO_LIST else Tuple(tuple(map(_shown, self.lists[position])))
 
     def with_listed(self, name: str, value: Value | None) -> RosState:
@@ -124,18 +123,32 @@ class RosState(NamedTuple):
         position = NO_LIST if value is None else len(self.lists)
         scope = self.scopes[-1]
         scope = scope._replace(remaps=position) if name == REMAPS else scope._replace(parameters=position)
-        lists = self.lists if value is None else (*self.lists, _entries(name, value))
+        lists = self.lists if value is None else (*self.lists, self._entries(name, value))
         return RosState((*self.scopes[:-1], scope), lists)
+
+    def rewritten(self, name: str, value: Value) -> RosState:
+        """Other items in the list that the current scope sees, in each scope that sees it."""
+        position = self._position(name)
+        if position == NO_LIST:
+            return self.with_listed(name, value)
+        return self._replace(lists=(*self.lists[:position], self._entries(name, value), *self.lists[position + 1 :]))
+
+    def _position(self, name: str) -> int:
+        scope = self.scopes[-1]
+        return scope.remaps if name == REMAPS else scope.parameters
+
+    def _entries(self, name: str, value: Value) -> tuple[ListedEntry, ...]:
+        """The entries of a list that Python code made; those that it took from the list before are the same."""
+        position = self._position(name)
+        known = {} if position == NO_LIST else {_shown(entry): entry for entry in self.lists[position]}
+        items = value.items if isinstance(value, Tuple) else (value,)
+        return tuple(known.get(item) or read_entry(name, item) for item in items)
 
 
 def _shown(entry: ListedEntry) -> Value:
     if isinstance(entry, Remap):
         return Tuple((entry.source, entry.target))
     return entry.path if isinstance(entry, GlobalFile) else Tuple((entry.name, entry.value))
-
-
-def _entries(name: str, value: Value) -> tuple[ListedEntry, ...]:
-    return tuple(read_entry(name, v) for v in value.items) if isinstance(value, Tuple) else (read_entry(name, value),)
 
 
 def read_entry(name: str, value: Value) -> ListedEntry:

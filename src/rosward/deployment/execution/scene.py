@@ -128,6 +128,10 @@ class Scene:
         """Add an item to a launch configuration that is a list."""
         self.context.add_listed(name, value)
 
+    def rewrite_configuration(self, name: str, value: Value) -> None:
+        """Change a launch configuration that is a list in place."""
+        self.context.rewrite_listed(name, value)
+
     def variable(self, name: str) -> Value | None:
         """An environment variable, None where it is not known or not set."""
         held = self.context.variable(name)

@@ -114,6 +114,10 @@ class PerformedContext:
         """Add an item to a launch configuration that is a list."""
         self.performer.add_to_configuration(name, value)
 
+    def rewrite_configuration(self, name: str, value: Value) -> None:
+        """Change a launch configuration that is a list in place."""
+        self.performer.rewrite_configuration(name, value)
+
     def variable(self, name: str) -> Value | None:
         """An environment variable, None where it is not known or not set."""
         return self.performer.variable(name)

@@ -216,6 +216,18 @@ def _set_listed(call: NativeCall) -> Value:
     return _set_configuration(call._replace(args=Arguments((name, _without_objects(call.machine, value)))))
 
 
+def _rewrite_configuration(call: NativeCall) -> Value:
+    """All items of a launch configuration that is a list, which has changed in place. Where it need not have, the old ones stay possible."""
+    launch = _launch(call)
+    if launch is not None:
+        name, value = call.exactly(2)
+        listed, old = _without_objects(call.machine, value), launch.configuration(text_of(name))
+        launch.rewrite_configuration(
+            text_of(name), listed if call.machine.is_sure or old is None else join(old, listed)
+        )
+    return NONE
+
+
 def _add_to_configuration(call: NativeCall) -> Value:
     """An item more in a launch configuration that is a list. On a way that need not be taken, one that may be any is added."""
     launch = _launch(call)
@@ -349,6 +361,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.launch.set_configuration": _set_configuration,
     "_rosward.launch.set_listed": _set_listed,
     "_rosward.launch.add_to_configuration": _add_to_configuration,
+    "_rosward.launch.rewrite_configuration": _rewrite_configuration,
     "_rosward.launch.variable": _variable,
     "_rosward.launch.removed": _removed,
     "_rosward.launch.set_variable": _set_variable,

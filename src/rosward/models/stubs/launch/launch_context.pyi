@@ -13,6 +13,7 @@ from _rosward.launch import (
     configurations,
     has_configuration,
     perform,
+    rewrite_configuration,
     set_configuration,
     set_listed,
 )
@@ -38,6 +39,45 @@ class _Listed(list):
     def __iadd__(self, items):
         self.extend(items)
         return self
+
+    def __setitem__(self, index, item):
+        super().__setitem__(index, item)
+        self._rewrite()
+
+    def __delitem__(self, index):
+        super().__delitem__(index)
+        self._rewrite()
+
+    def insert(self, index, item):
+        super().insert(index, item)
+        self._rewrite()
+
+    def remove(self, item):
+        super().remove(item)
+        self._rewrite()
+
+    def pop(self, index=-1):
+        item = super().pop(index)
+        self._rewrite()
+        return item
+
+    def clear(self):
+        super().clear()
+        self._rewrite()
+
+    def sort(self, *, key=None, reverse=False):
+        super().sort(key=key, reverse=reverse)
+        self._rewrite()
+
+    def reverse(self):
+        super().reverse()
+        self._rewrite()
+
+    def _rewrite(self):
+        rewrite_configuration(self._name, list(self))
+
+    def __copy__(self): return list(self)
+    def __deepcopy__(self, memo): return list(self)
 
 
 class _Configurations:
