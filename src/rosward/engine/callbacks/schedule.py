@@ -104,6 +104,9 @@ def _start(machine: Engine, entry: Scheduled) -> None:
     with _alone(machine):
         _call(machine, entry)
     machine.state = join_states(before, machine.state, machine.fresh_version)
+    findings.update(
+        [f for f in machine.log.findings if f.code == "RW201"]
+    )  # what took too many steps does not run again
     machine.log.findings = findings
     for effect in [e for e in machine.log.entities if e not in entities and _fails(e)]:
         del machine.log.entities[effect]
