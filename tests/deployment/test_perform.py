@@ -29,7 +29,8 @@ KNOWN = [
     ("$(env HOME)/x", "*/x"),
     ("$(find-pkg-share demo)/a", "*/a"),
     ("$(find-pkg-prefix demo)/a", "*/a"),
-    ("$(exec-in-pkg talker demo)", "*/lib/demo/talker"),
+    ("of$(exec-in-pkg talker demo)", "of*/lib/demo/talker"),
+    ("$(exec-in-pkg talker demo)", "talker"),  # as an executable, it is that of the package
     ("$(find-exec ls)", "*/ls"),
     ("$(dirname)", "*/launch"),
     ("$(filename)", "*/launch/main.launch.xml"),
@@ -100,9 +101,9 @@ def test_the_folder_of_an_included_file() -> None:
 
 
 def test_the_pushed_namespace_is_a_launch_configuration() -> None:
-    main = """<push_ros_namespace namespace="a"/><node pkg="p" exec="$(var ros_namespace)"/>
+    main = """<push_ros_namespace namespace="a"/><node pkg="p" exec="in$(var ros_namespace)"/>
         <let name="ros_namespace" value="/b"/><node pkg="p" exec="e"/>"""
-    assert Run(main).lines == ["p//a --ros-args -r __ns:=/a", "p/e --ros-args -r __ns:=/b"]
+    assert Run(main).lines == ["p/in/a --ros-args -r __ns:=/a", "p/e --ros-args -r __ns:=/b"]
 
 
 def test_the_content_of_a_file() -> None:
