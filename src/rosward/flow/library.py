@@ -35,6 +35,8 @@ _SEEDED: Final[Root] = ("seeded",)
 """What decides which random numbers come."""
 _AT_HAND: Final = frozenset(("argv", "clock", "env", "random"))
 """What comes from there is always there."""
+OPENING: Final = frozenset(("open", "io.open", "asyncio.create_subprocess_exec", "asyncio.create_subprocess_shell"))
+"""Natives that give a file or a program, of which marks say what its methods do."""
 _FEW: Final = 12
 """So many objects the result of an unknown call is said to be itself; it leads to more."""
 
@@ -59,10 +61,6 @@ def fails(walker: Walker, name: str, mask: int) -> None:
     """A function that brings something from outside may fail instead: that it does, depends on the same."""
     if walker.attempts and not _AT_HAND.issuperset(walker.shape.said(name).sources):
         walker.attempts[-1].mask |= mask
-
-
-OPENING: Final = frozenset(("open", "io.open", "asyncio.create_subprocess_exec", "asyncio.create_subprocess_shell"))
-"""Natives that give a file or a program, of which marks say what its methods do."""
 
 
 def may_be_missing(walker: Walker) -> None:

@@ -19,6 +19,9 @@ from rosward.ir.op import walk
 from rosward.ir.registers import reads
 from rosward.models.flow_marks import FlowMark
 
+_AS_A_FUNCTION: Final = frozenset(("__call__", "__init__", "__exit__", "__aexit__"))
+"""Special methods of objects and classes that are handed as functions are."""
+
 
 @final
 class Site:
@@ -218,10 +221,6 @@ def _is_handed(called: Called) -> bool:
     """Whether a function runs because somebody was handed it, not because an object that was handed is of a class that has it (`__len__`)."""
     name = called.function.code.name
     return not (name.startswith("__") and name.endswith("__")) or name in _AS_A_FUNCTION
-
-
-_AS_A_FUNCTION: Final = frozenset(("__call__", "__init__", "__exit__", "__aexit__"))
-"""Special methods of objects and classes that are handed as functions are."""
 
 
 def _as_written(op: ops.Call, functions: Iterable[Value]) -> Iterator[Value]:
